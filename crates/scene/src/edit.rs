@@ -1,0 +1,250 @@
+//! Edits: the only way a scene or its views change, each with its inverse.
+
+use crate::scene::Stage;
+use crate::{Environment, Invalid, List, Material, MaterialRef, Name, NameKind, Object, PointLight, Shape, View};
+use std::sync::Arc;
+
+/// A change of a [`Stage`]. Items are addressed by their place in their list.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Sets the scene's title.
+    Title(String),
+    /// Sets ambient light, background, medium, depth and composition.
+    World(Environment),
+    /// Changes the materials. Setting one under a new name renames it wherever it is referred to.
+    Materials(ListEdit<Material>),
+    /// Changes the lamps.
+    Lights(ListEdit<PointLight>),
+    /// Changes the objects.
+    Objects(ListEdit<Object>),
+    /// Changes the views.
+    Views(ListEdit<View>),
+    /// Several edits as one, in order; all of them happen or none.
+    Batch(Vec<Edit>),
+}
+
+/// A change of one list.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ListEdit<T> {
+    /// Replaces the item at a place.
+    Set {
+        /// The place.
+        index: usize,
+        /// The new item.
+        item: Arc<T>,
+    },
+    /// Inserts an item before that place; the list's length appends it.
+    Insert {
+        /// The place.
+        index: usize,
+        /// The new item.
+        item: Arc<T>,
+    },
+    /// Takes an item out.
+    Remove {
+        /// The place.
+        index: usize,
+    },
+    /// Takes an item out and inserts it where it then stands at `to`.
+    Move {
+        /// The place before.
+        from: usize,
+        /// The place after.
+        to: usize,
+    },
+}
+
+/// Why an edit cannot be made. The stage is then as it was.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum EditError {
+    /// There is no item at that place.
+    #[error("there is no item {index} in a list of {len}")]
+    NoSuchItem {
+        /// The place.
+        index: usize,
+        /// The list's length.
+        len: usize,
+    },
+    /// The result would break a rule.
+    #[error(transparent)]
+    Invalid(#[from] Invalid),
+    /// The material is still in use.
+    #[error("the material `{name}` is used by `{user}`")]
+    MaterialInUse {
+        /// The material.
+        name: Name,
+        /// The first object that names it.
+        user: Name,
+    },
+}
+
+impl<T: PartialEq> ListEdit<T> {
+    /// The list after the edit, and the edit that takes it back.
+    fn apply(&self, list: &List<T>) -> Result<(List<T>, ListEdit<T>), EditError> {
+        let len = list.len();
+        let existing = |index: usize| {
+            list.get(index).cloned().ok_or(EditError::NoSuchItem { index, len }).map(|item| (index, item))
+        };
+        Ok(match self {
+            ListEdit::Set { index, item } => {
+                let (index, old) = existing(*index)?;
+                (list.with(|items| items[index] = Arc::clone(item)), ListEdit::Set { index, item: old })
+            }
+            ListEdit::Insert { index, item } => {
+                let index = *index;
+                if index > len {
+                    return Err(EditError::NoSuchItem { index, len });
+                }
+                (list.with(|items| items.insert(index, Arc::clone(item))), ListEdit::Remove { index })
+            }
+            ListEdit::Remove { index } => {
+                let (index, item) = existing(*index)?;
+                (list.with(|items| drop(items.remove(index))), ListEdit::Insert { index, item })
+            }
+            ListEdit::Move { from, to } => {
+                let ((from, _), (to, _)) = (existing(*from)?, existing(*to)?);
+                let moved = list.with(|items| {
+                    let item = items.remove(from);
+                    items.insert(to, item);
+                });
+                (moved, ListEdit::Move { from: to, to: from })
+            }
+        })
+    }
+
+    /// The item that the edit brings in, and the place of the one that it replaces.
+    fn incoming(&self) -> Option<(&T, Option<usize>)> {
+        match self {
+            ListEdit::Set { index, item } => Some((item, Some(*index))),
+            ListEdit::Insert { item, .. } => Some((item, None)),
+            ListEdit::Remove { .. } | ListEdit::Move { .. } => None,
+        }
+    }
+}
+
+impl Stage {
+    /// The stage after the edit, and the edit that takes it back: applied to the new stage it gives this one.
+    ///
+    /// # Errors
+    /// The place that does not exist or the rule that the result would break.
+    pub fn apply(&self, edit: &Edit) -> Result<(Stage, Edit), EditError> {
+        let mut next = self.clone();
+        let scene = &self.scene;
+        let inverse = match edit {
+            Edit::Title(name) => Edit::Title(std::mem::replace(&mut next.scene.name, name.clone())),
+            Edit::World(world) => {
+                world.check()?;
+                Edit::World(std::mem::replace(&mut next.scene.world, world.clone()))
+            }
+            Edit::Materials(change) => {
+                if let Some((material, replaced)) = change.incoming() {
+                    material.check()?;
+                    let names = scene.materials.iter().map(|item| &item.name);
+                    free(&material.name, names, replaced, NameKind::Material)?;
+                }
+                let (materials, inverse) = change.apply(&scene.materials)?;
+                match change {
+                    ListEdit::Set { index, item } => {
+                        next.scene.objects = renamed(&scene.objects, &scene.materials[*index].name, &item.name);
+                    }
+                    ListEdit::Remove { index } => unused(&scene.objects, &scene.materials[*index].name)?,
+                    ListEdit::Insert { .. } | ListEdit::Move { .. } => {}
+                }
+                next.scene.materials = materials;
+                Edit::Materials(inverse)
+            }
+            Edit::Lights(change) => {
+                if let Some((light, replaced)) = change.incoming() {
+                    light.check()?;
+                    free(&light.name, scene.lights.iter().map(|item| &item.name), replaced, NameKind::ObjectOrLight)?;
+                    free(&light.name, scene.objects.iter().map(|item| &item.name), None, NameKind::ObjectOrLight)?;
+                }
+                let (lights, inverse) = change.apply(&scene.lights)?;
+                next.scene.lights = lights;
+                Edit::Lights(inverse)
+            }
+            Edit::Objects(change) => {
+                if let Some((object, replaced)) = change.incoming() {
+                    object.check()?;
+                    free(&object.name, scene.objects.iter().map(|item| &item.name), replaced, NameKind::ObjectOrLight)?;
+                    free(&object.name, scene.lights.iter().map(|item| &item.name), None, NameKind::ObjectOrLight)?;
+                    for name in object.material_refs().filter_map(MaterialRef::name) {
+                        if scene.material(name).is_none() {
+                            return Err(Invalid::UnknownMaterial { name: name.clone() }.into());
+                        }
+                    }
+                }
+                let (objects, inverse) = change.apply(&scene.objects)?;
+                next.scene.objects = objects;
+                Edit::Objects(inverse)
+            }
+            Edit::Views(change) => {
+                if let Some((view, replaced)) = change.incoming() {
+                    view.check()?;
+                    free(&view.name, self.views.iter().map(|item| &item.name), replaced, NameKind::View)?;
+                }
+                let (views, inverse) = change.apply(&self.views)?;
+                next.views = views;
+                Edit::Views(inverse)
+            }
+            Edit::Batch(edits) => {
+                let mut inverses = Vec::with_capacity(edits.len());
+                for edit in edits {
+                    let (stage, inverse) = next.apply(edit)?;
+                    next = stage;
+                    inverses.push(inverse);
+                }
+                inverses.reverse();
+                Edit::Batch(inverses)
+            }
+        };
+        Ok((next, inverse))
+    }
+}
+
+/// Whether a name is free among others, not counting the item that it replaces.
+fn free<'a>(
+    name: &Name,
+    others: impl Iterator<Item = &'a Name>,
+    replaced: Option<usize>,
+    kind: NameKind,
+) -> Result<(), Invalid> {
+    for (index, other) in others.enumerate() {
+        if Some(index) != replaced && other == name {
+            return Err(Invalid::NameTaken { name: name.clone(), kind });
+        }
+    }
+    Ok(())
+}
+
+/// Whether no object names the material.
+fn unused(objects: &List<Object>, name: &Name) -> Result<(), EditError> {
+    match objects.iter().find(|object| object.material_refs().any(|material| material.name() == Some(name))) {
+        Some(user) => Err(EditError::MaterialInUse { name: name.clone(), user: user.name.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// The objects with every reference to `old` changed to `new`; objects without one are shared.
+fn renamed(objects: &List<Object>, old: &Name, new: &Name) -> List<Object> {
+    let refers = |object: &Object| object.material_refs().any(|material| material.name() == Some(old));
+    if old == new || !objects.iter().any(|object| refers(object)) {
+        return objects.clone();
+    }
+    let rename = |material: &mut MaterialRef| {
+        if material.name() == Some(old) {
+            *material = MaterialRef::Named(new.clone());
+        }
+    };
+    objects.with(|objects| {
+        for object in objects.iter_mut().filter(|object| refers(object)) {
+            let object = Arc::make_mut(object);
+            rename(&mut object.material);
+            if let Shape::Mesh(mesh) = &mut object.shape
+                && mesh.geometry.parts.iter().any(|part| part.material.name() == Some(old))
+            {
+                Arc::make_mut(&mut mesh.geometry).parts.iter_mut().for_each(|part| rename(&mut part.material));
+            }
+        }
+    })
+}

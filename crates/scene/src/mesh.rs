@@ -1,0 +1,185 @@
+//! Objects made of facets: vertices, facets, parts of several materials, and whether they enclose a volume.
+
+use crate::{MaterialRef, Placement};
+use glam::DVec3;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A mesh as it stands in a scene: shared geometry and a placement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Vertices and facets, shared by every snapshot and every instance.
+    pub geometry: Arc<MeshGeometry>,
+    /// The file that the geometry was read from, relative to the document; `None` for inline vertices.
+    pub source: Option<Arc<str>>,
+    /// Scale, rotation, translation.
+    pub placement: Placement,
+    /// Whether lamp terms and mirrored rays use smooth normals.
+    pub smooth: bool,
+}
+
+/// Vertices and facets.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeshGeometry {
+    /// The vertices, before placement.
+    pub positions: Vec<DVec3>,
+    /// One normal per vertex as the file gave it, or empty: then smooth normals are computed.
+    pub normals: Vec<DVec3>,
+    /// Three vertex numbers a facet, from 0.
+    pub facets: Vec<[u32; 3]>,
+    /// Runs of facets with materials of their own, ascending and disjoint; the other facets have the object's.
+    pub parts: Vec<Part>,
+}
+
+/// A run of facets with a material of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The material.
+    pub material: MaterialRef,
+    /// The first facet.
+    pub first: u32,
+    /// How many facets, at least 1.
+    pub count: u32,
+}
+
+/// What a mesh is to a ray that passes through it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enclosure {
+    /// A closed mesh encloses a volume.
+    Volume {
+        /// Whether the facets' normals `P0P1 × P0P2` point inwards, so that they must be turned.
+        inverted: bool,
+    },
+    /// Sheets without thickness.
+    Sheet,
+}
+
+impl Mesh {
+    /// The vertices that some facet uses, where the placement brings them.
+    pub(crate) fn used_positions(&self) -> impl Iterator<Item = DVec3> {
+        let linear = self.placement.linear();
+        let mut used = vec![false; self.geometry.positions.len()];
+        for &vertex in self.geometry.facets.iter().flatten() {
+            if let Some(used) = used.get_mut(vertex as usize) {
+                *used = true;
+            }
+        }
+        self.geometry
+            .positions
+            .iter()
+            .zip(used)
+            .filter(|(_, used)| *used)
+            .map(move |(&position, _)| linear * position + self.placement.position)
+    }
+
+    /// Whether the mesh encloses a volume, with the orientation it has after placement: a mirroring scale turns it.
+    pub fn enclosure(&self) -> Enclosure {
+        match self.geometry.enclosure() {
+            Enclosure::Volume { inverted } => {
+                let mirrored = self.placement.scale.to_array().into_iter().filter(|s| *s < 0.0).count() % 2 == 1;
+                Enclosure::Volume { inverted: inverted != mirrored }
+            }
+            Enclosure::Sheet => Enclosure::Sheet,
+        }
+    }
+}
+
+impl MeshGeometry {
+    /// For each vertex the number of the first vertex at the same place.
+    pub fn merged_vertices(&self) -> Vec<u32> {
+        let mut first_at = HashMap::with_capacity(self.positions.len());
+        // Adding zero makes -0 and 0 the same place.
+        let key = |position: &DVec3| position.to_array().map(|coordinate| (coordinate + 0.0).to_bits());
+        (0_u32..)
+            .zip(&self.positions)
+            .map(|(number, position)| *first_at.entry(key(position)).or_insert(number))
+            .collect()
+    }
+
+    /// Whether the mesh is closed: after merging equal positions and dropping facets without area, every edge has
+    /// exactly two facets, in opposite directions. It is then oriented by its signed volume.
+    pub fn enclosure(&self) -> Enclosure {
+        let merged = self.merged_vertices();
+        let facets: Vec<[u32; 3]> = self
+            .facets
+            .iter()
+            .map(|facet| facet.map(|vertex| merged[vertex as usize]))
+            .filter(|facet| self.area_vector(*facet) != DVec3::ZERO)
+            .collect();
+        let mut edges: Vec<(u32, u32)> = facets.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+        edges.sort_unstable();
+        let once = edges.windows(2).all(|pair| pair[0] != pair[1]);
+        if !once || facets.is_empty() || !edges.iter().all(|&(a, b)| edges.binary_search(&(b, a)).is_ok()) {
+            return Enclosure::Sheet;
+        }
+        let origin = self.positions[facets[0][0] as usize];
+        let six_volumes: f64 = facets
+            .iter()
+            .map(|facet| {
+                let [a, b, c] = facet.map(|vertex| self.positions[vertex as usize] - origin);
+                a.cross(b).dot(c)
+            })
+            .sum();
+        Enclosure::Volume { inverted: six_volumes < 0.0 }
+    }
+
+    /// `P0P1 × P0P2`: twice the facet's area, along its normal. The facet's vertices must exist.
+    fn area_vector(&self, facet: [u32; 3]) -> DVec3 {
+        let [a, b, c] = facet.map(|vertex| self.positions[vertex as usize]);
+        (b - a).cross(c - a)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tetrahedron() -> MeshGeometry {
+        MeshGeometry {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Z, DVec3::Y],
+            facets: vec![[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]],
+            ..MeshGeometry::default()
+        }
+    }
+
+    #[test]
+    fn a_tetrahedron_is_closed() {
+        assert_eq!(tetrahedron().enclosure(), Enclosure::Volume { inverted: false });
+        let mut inside_out = tetrahedron();
+        inside_out.facets.iter_mut().for_each(|facet| facet.swap(1, 2));
+        assert_eq!(inside_out.enclosure(), Enclosure::Volume { inverted: true });
+    }
+
+    #[test]
+    fn a_mirroring_placement_turns_it() {
+        let mut mesh =
+            Mesh { geometry: Arc::new(tetrahedron()), source: None, placement: Placement::default(), smooth: false };
+        mesh.placement.scale = DVec3::new(-1.0, 2.0, 1.0);
+        assert_eq!(mesh.enclosure(), Enclosure::Volume { inverted: true });
+        mesh.placement.scale = DVec3::new(-1.0, -2.0, 1.0);
+        assert_eq!(mesh.enclosure(), Enclosure::Volume { inverted: false });
+    }
+
+    #[test]
+    fn a_hole_a_turned_facet_and_a_doubled_facet_make_a_sheet() {
+        let mut open = tetrahedron();
+        open.facets.pop();
+        assert_eq!(open.enclosure(), Enclosure::Sheet);
+        let mut turned = tetrahedron();
+        turned.facets[0].swap(1, 2);
+        assert_eq!(turned.enclosure(), Enclosure::Sheet);
+        let mut doubled = tetrahedron();
+        doubled.facets.push([0, 1, 2]);
+        assert_eq!(doubled.enclosure(), Enclosure::Sheet);
+        assert_eq!(MeshGeometry::default().enclosure(), Enclosure::Sheet);
+    }
+
+    #[test]
+    fn equal_positions_are_one_vertex_and_slivers_do_not_count() {
+        let mut split = tetrahedron();
+        split.positions.push(DVec3::new(-0.0, 1.0, 0.0));
+        split.facets[3] = [2, 4, 0];
+        split.facets.push([3, 4, 3]);
+        assert_eq!(split.enclosure(), Enclosure::Volume { inverted: false });
+    }
+}
