@@ -1,1 +1,1 @@
-//! placeholder
+//! Rays to colours.

@@ -1,7 +1,7 @@
 //! The one catalogue of lancer's words, in English and French.
 //!
 //! Every sentence that a person reads stands here as a function of the language and of its arguments, so the compiler
-//! proves that no translation and no argument is missing. A file holds one area of words; the macro [`phrases`] writes
+//! proves that no translation and no argument is missing. A file holds one area of words; the macro `phrases!` writes
 //! the functions.
 //!
 //! ```
@@ -10,24 +10,20 @@
 //! assert_eq!(number::objects(Lang::English, 2), "2 objects");
 //! ```
 
+#[macro_use]
+mod phrases;
+
+pub mod binary;
+pub mod cli;
+pub mod explain;
 mod lang;
+pub mod lint;
+pub mod mesh;
+pub mod n7_2009;
 pub mod number;
+pub mod picture;
+pub mod term;
+pub mod text;
+pub mod xml;
 
 pub use lang::Lang;
-
-/// Writes one function per sentence: `pub fn name(lang, arguments…) -> String`.
-///
-/// The sentence of each language is a format string that names the arguments.
-macro_rules! phrases {
-    ($($(#[$doc:meta])* $name:ident($($arg:ident),* $(,)?) { $en:literal, $fr:literal $(,)? })*) => {$(
-        $(#[$doc])*
-        #[doc = concat!("\n\n* English: ", $en, "\n* French: ", $fr)]
-        pub fn $name(lang: $crate::Lang $(, $arg: impl std::fmt::Display)*) -> String {
-            match lang {
-                $crate::Lang::English => format!($en),
-                $crate::Lang::French => format!($fr),
-            }
-        }
-    )*};
-}
-pub(crate) use phrases;

@@ -1,0 +1,22 @@
+//! placeholder
+use crate::Describe;
+use lancer_words::Lang;
+
+/// placeholder
+#[derive(Clone, Debug, PartialEq)]
+pub enum XmlProblem {}
+
+impl Describe for XmlProblem {
+    fn code(&self) -> &'static str {
+        match *self {}
+    }
+    fn message(&self, _lang: Lang) -> String {
+        match *self {}
+    }
+    fn label(&self, _lang: Lang) -> String {
+        match *self {}
+    }
+    fn help(&self, _lang: Lang) -> Option<String> {
+        match *self {}
+    }
+}
