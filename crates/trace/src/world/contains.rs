@@ -19,7 +19,8 @@ pub(crate) fn closed(facets: &Facets, point: DVec3) -> bool {
         }
         half_angles += libm::atan2(volume, base);
     }
-    half_angles.abs() > std::f64::consts::PI
+    // 2π inside and 0 outside; a point that is on an edge by rounding sees something between
+    half_angles.abs() > 1.9 * std::f64::consts::PI
 }
 
 #[cfg(test)]

@@ -87,9 +87,9 @@ mod tests {
         #[test]
         fn nothing_passes_a_shared_edge(
             (a, b, c, d, origin) in (point(), point(), point(), point(), point()),
-            along in 0.01..0.99,
+            along in 0.01..0.99_f64,
         ) {
-            let target = a + (b - a) * along;
+            let target: DVec3 = a + (b - a) * along;
             let ray = Ray { origin, direction: (target - origin).normalize() };
             let normal_side = |p: DVec3| (b - a).cross(origin - a).dot(p - a);
             // c and d on the two sides of the plane through the edge and the eye
