@@ -1,1 +1,15 @@
-//! placeholder
+//! Many pixels on many threads: from a compiled world and a view to a picture.
+//!
+//! A picture is cut into [`Tile`]s. Every pixel is computed on its own, from the world and its place alone, and tiles
+//! are put into the [`Film`] by their place; so a picture has the same bytes for any number of threads and any order
+//! of the tiles. Workers send finished tiles and share no lock with whoever shows them.
+
+mod error;
+mod film;
+mod still;
+mod tile;
+
+pub use error::{PixelFault, RenderError};
+pub use film::Film;
+pub use still::{RenderOptions, Still, render_still};
+pub use tile::{Region, Tile, tiles};

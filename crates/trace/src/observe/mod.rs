@@ -9,7 +9,7 @@ pub use tree::{Composed, LampLight, RayNode, RayTree, Seen, SurfaceNode, Term};
 use crate::reference::light::Lit;
 use crate::{Channels, Ray, RayKind};
 use glam::DVec3;
-use lancer_scene::{Color, Name, Rgb};
+use lancer_scene::{Color, Name, Rgb, Surface};
 
 /// Is told everything that a tracer computes for a ray, in this order: `enter`, then either `background`, or `surface`
 /// and `ambient`, the whole stories of the mirrored and the refracted rays, `mirror`, `glass` and each lamp; at last
@@ -79,6 +79,8 @@ pub struct SeenSurface<'a> {
     pub entering: bool,
     /// Whether the object is a sheet without thickness.
     pub sheet: bool,
+    /// The coefficients of the light model there.
+    pub surface: &'a Surface,
 }
 
 /// Why a mirror or glass term is 0 without a ray.

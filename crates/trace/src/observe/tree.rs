@@ -4,7 +4,7 @@ use super::{GlassTerm, LampState, LampTerm, MirrorTerm, Observer, SeenRay, SeenS
 use crate::reference::light::Lit;
 use crate::{Channels, Ray, RayKind};
 use glam::DVec3;
-use lancer_scene::{Color, Name, Rgb};
+use lancer_scene::{Color, Name, Rgb, Surface};
 
 /// A tree of rays, recorded while it is traced. The nodes stand in the order in which the rays were cast; node 0 is
 /// the primary ray.
@@ -68,6 +68,8 @@ pub struct SurfaceNode {
     pub entering: bool,
     /// Whether the object is a sheet without thickness.
     pub sheet: bool,
+    /// The coefficients of the light model there.
+    pub surface: Surface,
     /// The terms in their order, each with the running sum after it.
     pub terms: Vec<Composed>,
 }
@@ -194,6 +196,7 @@ impl Observer for RayTree {
                 normal: surface.normal,
                 entering: surface.entering,
                 sheet: surface.sheet,
+                surface: surface.surface.clone(),
                 terms: Vec::new(),
             }));
         }

@@ -152,6 +152,7 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
                     normal: at.normal,
                     entering: at.crossing == Crossing::Enters,
                     sheet: at.crossing == Crossing::Sheet,
+                    surface: world.surface(at.surface),
                 });
                 self.surface_color(traveller, &at)?
             }

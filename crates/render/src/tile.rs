@@ -1,0 +1,103 @@
+//! Rectangles of pixels: the part of a view that is rendered, and the pieces in which the work is handed out.
+
+/// A rectangle of a view's pixels, counted from the top left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Region {
+    /// The first column.
+    pub x: u32,
+    /// The first row.
+    pub y: u32,
+    /// Columns, at least 1 in a region that can be rendered.
+    pub width: u32,
+    /// Rows, at least 1 in a region that can be rendered.
+    pub height: u32,
+}
+
+impl Region {
+    /// The whole of a picture.
+    pub fn whole(width: u32, height: u32) -> Region {
+        Region { x: 0, y: 0, width, height }
+    }
+
+    /// Whether the region has pixels and all of them lie in a picture of that size.
+    pub fn lies_within(&self, width: u32, height: u32) -> bool {
+        let fits =
+            |first: u32, count: u32, all: u32| count > 0 && first.checked_add(count).is_some_and(|end| end <= all);
+        fits(self.x, self.width, width) && fits(self.y, self.height, height)
+    }
+
+    /// How many pixels the region has.
+    pub fn pixels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+}
+
+/// A rectangle that one thread computes at a time, counted from the top left of the rendered region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Tile {
+    /// The first column.
+    pub x: u32,
+    /// The first row.
+    pub y: u32,
+    /// Columns, 1..=[`Tile::SIDE`].
+    pub width: u32,
+    /// Rows, 1..=[`Tile::SIDE`].
+    pub height: u32,
+}
+
+impl Tile {
+    /// Columns and rows of a tile that no edge cuts: small enough that an expensive corner of the picture is spread
+    /// over all threads, large enough that handing it out costs nothing.
+    pub const SIDE: u32 = 16;
+
+    /// The tile's pixels in row order, as columns and rows of the region.
+    pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+        (self.y..self.y + self.height).flat_map(move |y| (self.x..self.x + self.width).map(move |x| (x, y)))
+    }
+}
+
+/// The tile of that number, row by row from the top left, in a region of that size; `None` after the last.
+pub(crate) fn tile(width: u32, height: u32, number: u64) -> Option<Tile> {
+    let columns = u64::from(width.div_ceil(Tile::SIDE));
+    let rows = u64::from(height.div_ceil(Tile::SIDE));
+    if number >= columns * rows {
+        return None;
+    }
+    // Both factors are below 2^16 here, so neither the conversion nor the product can lose anything.
+    let x = u32::try_from(number % columns).ok()? * Tile::SIDE;
+    let y = u32::try_from(number / columns).ok()? * Tile::SIDE;
+    Some(Tile { x, y, width: Tile::SIDE.min(width - x), height: Tile::SIDE.min(height - y) })
+}
+
+/// The tiles of a region of that size, row by row from the top left.
+pub fn tiles(width: u32, height: u32) -> impl Iterator<Item = Tile> {
+    (0..).map_while(move |number| tile(width, height, number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn tiles_cover_every_pixel_once() {
+        for (width, height) in [(1, 1), (16, 16), (17, 15), (640, 1), (33, 50), (65_535, 1)] {
+            let mut seen = HashSet::new();
+            for (x, y) in tiles(width, height).flat_map(Tile::pixels) {
+                assert!(x < width && y < height, "{x} {y} in {width}×{height}");
+                assert!(seen.insert((x, y)), "{x} {y} twice in {width}×{height}");
+            }
+            assert_eq!(seen.len(), width as usize * height as usize);
+        }
+    }
+
+    #[test]
+    fn regions_lie_within_or_not() {
+        let region = |x, y, width, height| Region { x, y, width, height };
+        assert!(region(0, 0, 640, 480).lies_within(640, 480));
+        assert!(region(639, 479, 1, 1).lies_within(640, 480));
+        assert!(!region(639, 479, 2, 1).lies_within(640, 480));
+        assert!(!region(0, 0, 0, 1).lies_within(640, 480));
+        assert!(!region(u32::MAX, 0, 2, 1).lies_within(640, 480));
+    }
+}
