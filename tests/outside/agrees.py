@@ -19,7 +19,21 @@ import naive_whitted as naive
 import numpy as np
 from document import read_scene, read_view
 
-SCENES = [  # scene, view, size
+SCENES = [  # scene, view (None: the first), size; together they use every part of the model
+    ("first/first", None, (160, 100)),                      # mirror, glass, shadows, samples
+    ("course/figure3", "front", (120, 90)),                 # a box of glass, total reflection inside it
+    ("course/objects", None, (160, 80)),                    # every shape, parts of a mesh, what is not visible
+    ("course/steps", "3 reflection", (160, 120)),           # a step left out
+    ("gallery/nested", None, (160, 80)),                    # the stack of media
+    ("gallery/pond", "below", (160, 107)),                  # a half-space of water with the eye in it
+    ("gallery/mirrors", None, (120, 90)),                   # depth 16
+    ("gallery/knot", None, (120, 90)),                      # smooth normals, mirrored
+    ("teaching/channels", None, (160, 67)),                 # shininess, coefficients and index per channel
+    ("teaching/compose-add", None, (120, 90)),
+    ("teaching/compose-screen-each", None, (120, 90)),
+    ("teaching/highlights", None, (160, 87)),               # Phong and Blinn
+    ("teaching/laws", None, (160, 67)),                     # constant, schlick, grazing
+    ("teaching/depth", "depth 2", (120, 90)),               # the view's depth instead of the world's
 ]
 EDGES = 0.01
 SHOWN = 5
