@@ -25,7 +25,7 @@ const TOOLS: [Tool; 2] = [
 ];
 
 /// Installs what is missing, then runs every test of the workspace and the independent implementation.
-pub fn test(root: &Path) -> Result<(), String> {
+pub(crate) fn test(root: &Path) -> Result<(), String> {
     for tool in &TOOLS {
         provide(tool);
     }
@@ -42,7 +42,7 @@ pub fn test(root: &Path) -> Result<(), String> {
 }
 
 /// The tests, then formatting, lints and documentation, warnings as errors.
-pub fn ci(root: &Path) -> Result<(), String> {
+pub(crate) fn ci(root: &Path) -> Result<(), String> {
     test(root)?;
     cargo(root, &["fmt", "--all", "--check"], &[])?;
     cargo(root, &["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"], &[])?;

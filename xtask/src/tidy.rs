@@ -20,7 +20,7 @@ const ARROWS: [(&str, &[&str]); 6] = [
 const UNSAFE: [&str; 0] = [];
 
 /// Prints every broken rule.
-pub fn report(root: &Path) -> Result<(), String> {
+pub(crate) fn report(root: &Path) -> Result<(), String> {
     let broken = broken_rules(root);
     if broken.is_empty() { Ok(()) } else { Err(broken.join("\n")) }
 }
