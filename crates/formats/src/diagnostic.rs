@@ -126,6 +126,12 @@ problems! {
     Lint(Finding),
 }
 
+impl From<crate::xml::SyntaxProblem> for Problem {
+    fn from(problem: crate::xml::SyntaxProblem) -> Problem {
+        Problem::Xml(problem.into())
+    }
+}
+
 /// What lint says, in words.
 impl Describe for Finding {
     fn code(&self) -> &'static str {

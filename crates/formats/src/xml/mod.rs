@@ -1,22 +1,19 @@
-//! placeholder
-use crate::Describe;
-use lancer_words::Lang;
+//! XML documents: the lossless document layer, and the native scenes and views.
+//!
+//! [`Document`] turns bytes into a source text with a flat table of its nodes. Everything that reads XML walks it.
 
-/// placeholder
-#[derive(Clone, Debug, PartialEq)]
-pub enum XmlProblem {}
+mod document;
+mod encoding;
+mod problem;
+mod reference;
+mod scan;
+mod syntax;
 
-impl Describe for XmlProblem {
-    fn code(&self) -> &'static str {
-        match *self {}
-    }
-    fn message(&self, _lang: Lang) -> String {
-        match *self {}
-    }
-    fn label(&self, _lang: Lang) -> String {
-        match *self {}
-    }
-    fn help(&self, _lang: Lang) -> Option<String> {
-        match *self {}
-    }
-}
+pub use document::{Attribute, Attributes, Children, Document, Element, Malformed, Node, Text};
+pub use encoding::Encoding;
+pub use problem::{Excerpt, XmlProblem};
+pub use reference::escape;
+pub use syntax::{Byte, CodePoint, SyntaxProblem};
+
+/// Elements nested deeper than this are refused. A legal scene nests four deep.
+pub const MAX_DEPTH: usize = 64;
