@@ -85,7 +85,7 @@ pub fn render_still(
             match outcome {
                 Ok(done) => {
                     film.place(done.tile, &done.colors);
-                    counts = counts + done.counts;
+                    counts += done.counts;
                     pixels += done.colors.len() as u64;
                     progress(pixels, region.pixels());
                 }
@@ -114,7 +114,7 @@ fn available_threads() -> usize {
 
 /// What all threads share while a picture is computed.
 struct Job<'a> {
-    tracer: Tracer<'a>,
+    tracer: Tracer<&'a World>,
     region: Region,
     cancel: &'a Cancel,
     /// The number, in row order, of the first pixel known to have no colour. Nothing after it is computed any more,

@@ -9,6 +9,7 @@ use crate::world::{Media, World};
 use crate::{Camera, Cancel, Channels, Ray, RayKind, Settings};
 use glam::DVec3;
 use lancer_scene::{Name, Rgb, Surface};
+use std::borrow::Borrow;
 
 /// Why a pixel has no colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -30,21 +31,22 @@ pub enum TraceError {
 /// How many rays pass between two looks at the cancel flag.
 const POLL: u64 = 1024;
 
-/// Follows the rays of one picture.
+/// Follows the rays of one picture of a world that it borrows or shares.
 #[derive(Clone, Debug)]
-pub struct Tracer<'w> {
-    world: &'w World,
-    camera: &'w Camera,
+pub struct Tracer<W> {
+    world: W,
+    camera: Camera,
     settings: Settings,
-    cancel: &'w Cancel,
+    cancel: Cancel,
     /// The stack of every primary ray: the eye may be inside transparent objects.
     media_of_eye: Media,
 }
 
-impl<'w> Tracer<'w> {
+impl<W: Borrow<World>> Tracer<W> {
     /// A tracer of a camera's picture of a world.
-    pub fn new(world: &'w World, camera: &'w Camera, settings: Settings, cancel: &'w Cancel) -> Tracer<'w> {
-        Tracer { world, camera, settings, cancel, media_of_eye: Media::around(world, camera.eye()) }
+    pub fn new(world: W, camera: &Camera, settings: Settings, cancel: &Cancel) -> Tracer<W> {
+        let media_of_eye = Media::around(world.borrow(), camera.eye());
+        Tracer { world, camera: *camera, settings, cancel: cancel.clone(), media_of_eye }
     }
 
     /// The colour of pixel `(i, j)`, counted from the top left: the mean of its clamped samples in row order.
@@ -52,7 +54,7 @@ impl<'w> Tracer<'w> {
     /// # Errors
     /// If the pixel's rays exceed the budget, its colour is not a number, or the end was asked for.
     pub fn pixel(&self, i: u32, j: u32, observer: &mut impl Observer) -> Result<Rgb, TraceError> {
-        let mut path = Path { tracer: self, observer, rays: 0 };
+        let mut path = self.path(observer);
         let mut sum = Rgb::BLACK;
         let mut samples = 0.0;
         for (x, y) in self.camera.sample_positions(i, j) {
@@ -67,13 +69,29 @@ impl<'w> Tracer<'w> {
     /// # Errors
     /// As [`Tracer::pixel`].
     pub fn sample(&self, x: f64, y: f64, observer: &mut impl Observer) -> Result<Rgb, TraceError> {
-        Path { tracer: self, observer, rays: 0 }.primary(x, y)
+        self.path(observer).primary(x, y)
+    }
+
+    fn path<'t, O: Observer>(&'t self, observer: &'t mut O) -> Path<'t, O> {
+        Path {
+            world: self.world.borrow(),
+            camera: &self.camera,
+            settings: self.settings,
+            cancel: &self.cancel,
+            media_of_eye: &self.media_of_eye,
+            observer,
+            rays: 0,
+        }
     }
 }
 
 /// The rays of one pixel.
-struct Path<'t, 'w, O> {
-    tracer: &'t Tracer<'w>,
+struct Path<'t, O> {
+    world: &'t World,
+    camera: &'t Camera,
+    settings: Settings,
+    cancel: &'t Cancel,
+    media_of_eye: &'t Media,
     observer: &'t mut O,
     rays: u64,
 }
@@ -89,15 +107,15 @@ struct Traveller<'m> {
     start: Option<u32>,
 }
 
-impl<'w, O: Observer> Path<'_, 'w, O> {
+impl<'t, O: Observer> Path<'t, O> {
     fn primary(&mut self, x: f64, y: f64) -> Result<Rgb, TraceError> {
-        let tracer = self.tracer;
+        let (ray, media) = (self.camera.ray(x, y), self.media_of_eye);
         let color = self.color(&Traveller {
-            ray: tracer.camera.ray(x, y),
+            ray,
             kind: RayKind::Primary,
             level: 0,
             channels: Channels::ALL,
-            media: &tracer.media_of_eye,
+            media,
             start: None,
         })?;
         if color.is_finite() { Ok(color.clamp01()) } else { Err(TraceError::NotFinite) }
@@ -105,12 +123,12 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
 
     /// Counts a ray against the pixel's budget.
     fn spend(&mut self) -> Result<(), TraceError> {
-        let limit = self.tracer.settings.max_rays;
+        let limit = self.settings.max_rays;
         if self.rays >= limit {
             return Err(TraceError::Budget { limit });
         }
         self.rays += 1;
-        if self.rays.is_multiple_of(POLL) && self.tracer.cancel.is_cancelled() {
+        if self.rays.is_multiple_of(POLL) && self.cancel.is_cancelled() {
             return Err(TraceError::Cancelled);
         }
         Ok(())
@@ -118,14 +136,14 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
 
     /// The names of a stack's objects, which only an explanation needs.
     fn names_of(&self, media: &Media) -> Vec<Name> {
-        let world = self.tracer.world;
+        let world = self.world;
         if O::EXPLAINS { media.bodies().map(|body| world.body(body).name.clone()).collect() } else { Vec::new() }
     }
 
     /// The colour that a ray sees, in its channels.
     fn color(&mut self, traveller: &Traveller<'_>) -> Result<Rgb, TraceError> {
         self.spend()?;
-        let world = self.tracer.world;
+        let world = self.world;
         self.observer.enter(&SeenRay {
             kind: traveller.kind,
             level: traveller.level,
@@ -165,7 +183,7 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
 
     /// `E = Ka·Ia ⊕ Kr·Ir ⊕ Kt·It ⊕ lamps` (subject §2.6).
     fn surface_color(&mut self, traveller: &Traveller<'_>, at: &SurfacePoint) -> Result<Rgb, TraceError> {
-        let world = self.tracer.world;
+        let world = self.world;
         let environment = world.environment();
         let surface = world.surface(at.surface);
         let mut sum = Sum::new(environment.compose);
@@ -197,7 +215,7 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
         at: &SurfacePoint,
         surface: &Surface,
     ) -> Result<(MirrorTerm, GlassTerm), TraceError> {
-        let Settings { depth, steps, .. } = self.tracer.settings;
+        let Settings { depth, steps, .. } = self.settings;
         let mut mirror = MirrorTerm::none(surface.kr);
         let mut glass = GlassTerm::none(surface.kt);
         let mirrored = traveller.channels.where_positive(surface.kr);
@@ -249,7 +267,7 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
 
     /// Where the refracted channels go: channels with equal `n/n'` share a way.
     fn ways(&self, traveller: &Traveller<'_>, at: &SurfacePoint, channels: Channels, beyond: &Media) -> Vec<Way> {
-        let world = self.tracer.world;
+        let world = self.world;
         let (n, n_prime) = (traveller.media.index(world), beyond.index(world));
         let sheet = at.crossing == Crossing::Sheet;
         let mut ways: Vec<Way> = Vec::with_capacity(1);
@@ -290,8 +308,8 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
         at: &SurfacePoint,
         surface: &Surface,
         number: usize,
-    ) -> Result<LampTerm<'w>, TraceError> {
-        let world = self.tracer.world;
+    ) -> Result<LampTerm<'t>, TraceError> {
+        let world = self.world;
         let lamp = &world.lamps()[number];
         let segment = lamp.position - at.point;
         let distance = segment.length();
@@ -302,7 +320,7 @@ impl<'w, O: Observer> Path<'_, 'w, O> {
             LampState::Behind { cos_l: at.normal.dot(to_lamp) }
         } else {
             let mut blocker = None;
-            if self.tracer.settings.steps.shadows {
+            if self.settings.steps.shadows {
                 self.spend()?;
                 self.observer.shadow_ray();
                 blocker = world.blocker(&Ray { origin: at.point, direction: to_lamp }, Some(at.body), distance);

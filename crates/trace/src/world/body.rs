@@ -85,7 +85,10 @@ impl Body {
             (_, Extent::Sheet) => false,
             (Geometry::Sphere { center, radius }, _) => (point - *center).length() < *radius,
             (Geometry::Plane { p0, normal, .. }, _) => normal.dot(point - *p0) < 0.0,
-            (Geometry::Facets(facets), _) => contains::closed(facets, point),
+            (Geometry::Facets(facets), _) => {
+                facets.hierarchy().bounds().is_some_and(|bounds| bounds.contains(point))
+                    && contains::closed(facets, point)
+            }
         }
     }
 }

@@ -30,6 +30,11 @@ impl Bounds {
         Bounds { low: self.low - slack, high: self.high + slack }
     }
 
+    /// Whether a point lies in the box or on its face.
+    pub(crate) fn contains(&self, point: DVec3) -> bool {
+        self.low.cmple(point).all() && self.high.cmpge(point).all()
+    }
+
     fn union(self, other: Bounds) -> Bounds {
         Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
