@@ -22,6 +22,7 @@ pub mod mesh;
 pub mod n7_2009;
 pub mod number;
 pub mod picture;
+pub mod step;
 pub mod term;
 pub mod text;
 pub mod xml;

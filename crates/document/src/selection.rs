@@ -1,0 +1,104 @@
+//! What is selected: things by their names, which stay the same while lists change around them.
+
+use lancer_scene::{Name, Stage};
+
+/// Something that can be selected.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Item {
+    /// Ambient light, background, medium, depth, composition.
+    World,
+    /// A lamp.
+    Light(Name),
+    /// An object.
+    Object(Name),
+    /// A material.
+    Material(Name),
+    /// A view.
+    View(Name),
+}
+
+impl Item {
+    /// The name; `None` for the world.
+    pub fn name(&self) -> Option<&Name> {
+        match self {
+            Item::World => None,
+            Item::Light(name) | Item::Object(name) | Item::Material(name) | Item::View(name) => Some(name),
+        }
+    }
+
+    /// The place in its list; `None` if there is no such thing (and for the world).
+    pub fn place(&self, stage: &Stage) -> Option<usize> {
+        let scene = &stage.scene;
+        match self {
+            Item::World => None,
+            Item::Light(name) => scene.lights.iter().position(|light| light.name == *name),
+            Item::Object(name) => scene.objects.iter().position(|object| object.name == *name),
+            Item::Material(name) => scene.materials.iter().position(|material| material.name == *name),
+            Item::View(name) => stage.views.iter().position(|view| view.name == *name),
+        }
+    }
+
+    /// Whether there is such a thing.
+    pub fn exists(&self, stage: &Stage) -> bool {
+        matches!(self, Item::World) || self.place(stage).is_some()
+    }
+}
+
+/// The selected things in the order in which they were selected; the last one is shown in the properties.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Selection(Vec<Item>);
+
+impl Selection {
+    /// Selects one thing alone.
+    pub fn only(item: Item) -> Selection {
+        Selection(vec![item])
+    }
+
+    /// Adds a thing, or takes it out if it is there.
+    pub fn toggle(&mut self, item: Item) {
+        match self.0.iter().position(|known| *known == item) {
+            Some(place) => drop(self.0.remove(place)),
+            None => self.0.push(item),
+        }
+    }
+
+    /// Selects several things.
+    pub fn set(&mut self, items: impl IntoIterator<Item = Item>) {
+        self.0 = items.into_iter().collect();
+    }
+
+    /// Selects nothing.
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Whether the thing is selected.
+    pub fn contains(&self, item: &Item) -> bool {
+        self.0.contains(item)
+    }
+
+    /// The thing that was selected last.
+    pub fn primary(&self) -> Option<&Item> {
+        self.0.last()
+    }
+
+    /// The selected things.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &Item> {
+        self.0.iter()
+    }
+
+    /// Whether nothing is selected.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Forgets what does not exist.
+    pub(crate) fn prune(&mut self, stage: &Stage) {
+        self.0.retain(|item| item.exists(stage));
+    }
+
+    /// Follows a new name.
+    pub(crate) fn rename(&mut self, from: &Item, to: &Item) {
+        self.0.iter_mut().filter(|item| **item == *from).for_each(|item| *item = to.clone());
+    }
+}
