@@ -23,6 +23,7 @@ pub mod n7_2009;
 pub mod number;
 pub mod picture;
 pub mod step;
+pub mod studio;
 pub mod term;
 pub mod text;
 pub mod xml;

@@ -1,0 +1,2 @@
+//! The program `lancer-studio`.
+fn main() {}

@@ -1,0 +1,8 @@
+//! The scene as a document.
+
+use crate::{Action, Context};
+
+/// Shows the panel; gives what the user wants.
+pub fn show(_ui: &mut egui::Ui, _context: &Context<'_>) -> Vec<Action> {
+    Vec::new()
+}

@@ -1,0 +1,86 @@
+//! Words of the editor's window: messages, questions, the start.
+
+phrases! {
+    /// Closes a message or a window.
+    close() { "Close", "Fermer" }
+    /// Gives something up.
+    cancel() { "Cancel", "Annuler" }
+    /// Agrees.
+    ok() { "OK", "OK" }
+    /// The name of a document that has no file yet.
+    untitled() { "Untitled", "Sans titre" }
+    /// The mark of a document that is not saved.
+    modified() { "modified", "modifié" }
+    /// The mark of a document that is saved.
+    saved() { "saved", "enregistré" }
+    /// The window's title.
+    window_title(document) { "{document} · lancer", "{document} · lancer" }
+    /// The window's title where there are unsaved changes.
+    window_title_modified(document) { "{document} (modified) · lancer", "{document} (modifié) · lancer" }
+
+    /// The panel on the left.
+    outliner() { "Scene", "Scène" }
+    /// The panel on the right.
+    properties() { "Properties", "Propriétés" }
+    /// The scene in words.
+    tab_text() { "Text", "Texte" }
+    /// The scene as a document.
+    tab_xml() { "XML", "XML" }
+    /// What is wrong with files.
+    tab_problems() { "Problems", "Problèmes" }
+    /// The steps.
+    tab_history() { "History", "Historique" }
+
+    /// The question before unsaved work is lost.
+    unsaved_title() { "Save the changes?", "Enregistrer les modifications ?" }
+    /// What would be lost.
+    unsaved_text(document) {
+        "{document} has changes that are not saved. They are lost if you go on without saving.",
+        "{document} contient des modifications non enregistrées. Elles seront perdues si vous continuez sans enregistrer.",
+    }
+    /// Saves and goes on.
+    unsaved_save() { "Save", "Enregistrer" }
+    /// Goes on without saving.
+    unsaved_discard() { "Don't save", "Ne pas enregistrer" }
+
+    /// A file is being read.
+    loading(name) { "Reading {name}…", "Lecture de {name}…" }
+    /// A file was read.
+    loaded(name) { "{name} is open.", "{name} est ouvert." }
+    /// A file was read with warnings.
+    loaded_with(name, warnings) { "{name} is open: {warnings}.", "{name} est ouvert : {warnings}." }
+    /// A file is broken.
+    broken(name, errors) {
+        "{name} cannot be opened: {errors}. The scene shown stays.",
+        "{name} ne peut pas être ouvert : {errors}. La scène affichée reste.",
+    }
+    /// A file cannot be read.
+    unreadable(name, cause) { "{name} cannot be read: {cause}", "{name} ne peut pas être lu : {cause}" }
+    /// Something was saved.
+    written(name) { "{name} is saved.", "{name} est enregistré." }
+    /// Views were loaded.
+    views_loaded(name, views) { "{name}: {views}.", "{name} : {views}." }
+    /// Something was put on the clipboard.
+    copied() { "Copied to the clipboard.", "Copié dans le presse-papiers." }
+    /// An edit is not possible.
+    refused(rule) { "Not possible: {rule}.", "Impossible : {rule}." }
+
+    /// Files may be dropped.
+    drop_here() { "Drop a scene, a document of views or a mesh", "Déposez une scène, un document de vues ou un maillage" }
+
+    /// No system library.
+    missing_library(library, package) {
+        "lancer-studio needs the library {library}, which is not on this machine: install it, on Debian or Ubuntu with «apt install {package}». The command line program lancer works without it.",
+        "lancer-studio a besoin de la bibliothèque {library}, absente de cette machine : installez-la, sous Debian ou Ubuntu avec «apt install {package}». Le programme lancer en ligne de commande s'en passe.",
+    }
+    /// No display.
+    no_display() {
+        "lancer-studio needs a graphical session, but neither DISPLAY nor WAYLAND_DISPLAY is set: start it from a desktop, or use the command line program lancer.",
+        "lancer-studio a besoin d'une session graphique, mais ni DISPLAY ni WAYLAND_DISPLAY n'est défini : lancez-le depuis un bureau, ou utilisez le programme lancer en ligne de commande.",
+    }
+    /// The window cannot be opened.
+    no_window(cause) {
+        "lancer-studio cannot open a window with OpenGL: install the graphics driver or Mesa's software OpenGL, on Debian or Ubuntu with «apt install libgl1» ({cause}).",
+        "lancer-studio ne peut pas ouvrir de fenêtre OpenGL : installez le pilote graphique ou l'OpenGL logiciel de Mesa, sous Debian ou Ubuntu avec «apt install libgl1» ({cause}).",
+    }
+}

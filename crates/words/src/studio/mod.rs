@@ -1,0 +1,5 @@
+//! What the editor says.
+
+pub mod app;
+pub mod menu;
+pub mod view;
