@@ -44,6 +44,16 @@ pub enum StepName {
     Navigated(Name),
     /// The title of the scene was set.
     Titled,
+    /// Several things were copied.
+    DuplicatedMany(usize),
+    /// Several things take part in the picture again.
+    ShownMany(usize),
+    /// Several things take no part in the picture any more.
+    HiddenMany(usize),
+    /// Several things were moved in space.
+    MovedMany(usize),
+    /// The files were read again.
+    Reloaded,
 }
 
 impl StepName {
@@ -65,6 +75,11 @@ impl StepName {
             StepName::Set { item, attribute } => step::set(lang, item, attribute),
             StepName::Navigated(name) => step::navigated(lang, name),
             StepName::Titled => step::titled(lang),
+            StepName::DuplicatedMany(count) => step::duplicated_many(lang, count),
+            StepName::ShownMany(count) => step::shown_many(lang, count),
+            StepName::HiddenMany(count) => step::hidden_many(lang, count),
+            StepName::MovedMany(count) => step::moved_many(lang, count),
+            StepName::Reloaded => step::reloaded(lang),
         }
     }
 }

@@ -15,14 +15,22 @@ pub struct Picked {
     pub distance: f64,
     /// The point.
     pub point: DVec3,
+    /// The unit normal there, turned against the ray.
+    pub normal: DVec3,
 }
 
 impl World {
     /// The nearest object along a ray that starts in free space.
     pub fn pick(&self, ray: &Ray) -> Option<Picked> {
         let hit = self.nearest(ray, None)?;
-        let point = self.surface_point(ray, &hit).point;
-        Some(Picked { object: self.body(hit.body).name.clone(), facet: hit.facet, distance: hit.t, point })
+        let seen = self.surface_point(ray, &hit);
+        Some(Picked {
+            object: self.body(hit.body).name.clone(),
+            facet: hit.facet,
+            distance: hit.t,
+            point: seen.point,
+            normal: seen.geometric,
+        })
     }
 }
 

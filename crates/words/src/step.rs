@@ -21,6 +21,16 @@ phrases! {
     shown(name) { "Show {name}", "Affichage de {name}" }
     /// Something takes no part in the picture any more.
     hidden(name) { "Hide {name}", "Masquage de {name}" }
+    /// Several things were copied.
+    duplicated_many(count) { "Duplicate {count} items", "Copie de {count} éléments" }
+    /// Several things take part in the picture again.
+    shown_many(count) { "Show {count} items", "Affichage de {count} éléments" }
+    /// Several things take no part in the picture any more.
+    hidden_many(count) { "Hide {count} items", "Masquage de {count} éléments" }
+    /// Several things were moved in space.
+    moved_many(count) { "Move {count} items", "Déplacement de {count} éléments" }
+    /// The files were read again.
+    reloaded() { "Reload", "Relecture" }
     /// Something was moved in space.
     moved(name) { "Move {name}", "Déplacement de {name}" }
     /// An attribute was set.
