@@ -1,5 +1,6 @@
 //! What keeps a picture from being rendered.
 
+use crate::Region;
 use lancer_scene::Invalid;
 
 /// Why there is no picture.
@@ -14,6 +15,8 @@ pub enum RenderError {
     /// The region has no pixel or leaves the picture.
     #[error("the region does not lie in the picture of {width}×{height} pixels")]
     Region {
+        /// The region.
+        region: Region,
         /// Pixels per row of the picture.
         width: u32,
         /// Rows of the picture.

@@ -54,7 +54,7 @@ pub fn render_still(
     settings.max_rays = options.max_rays.unwrap_or(settings.max_rays);
     let region = options.region.unwrap_or(Region::whole(view.width, view.height));
     if !region.lies_within(view.width, view.height) {
-        return Err(RenderError::Region { width: view.width, height: view.height });
+        return Err(RenderError::Region { region, width: view.width, height: view.height });
     }
     let mut film = Film::new(region.width, region.height, options.keep_linear)?;
     let pool = rayon::ThreadPoolBuilder::new()
