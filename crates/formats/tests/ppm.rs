@@ -64,6 +64,17 @@ fn the_longest_line_has_exactly_70_characters() {
 }
 
 #[test]
+fn a_picture_larger_than_any_buffer_has_no_seam() {
+    let bytes: Vec<[u8; 3]> = (0..30_000_u32).map(|i| [i as u8, (i / 7) as u8, (i / 200) as u8]).collect();
+    for (width, height) in [(30_000, 1), (200, 150), (1, 30_000)] {
+        let picture = picture(width, height, &bytes);
+        let text = plain(&picture);
+        assert!(text.lines().all(|line| line.len() <= 70 && line.trim() == line));
+        assert_eq!(ppm::read(text.as_bytes()).unwrap(), picture);
+    }
+}
+
+#[test]
 fn a_raw_pixmap_is_its_bytes() {
     assert_eq!(raw(&picture(2, 1, &[[1, 2, 3], [10, 0, 255]])), b"P6\n2 1\n255\n\x01\x02\x03\n\x00\xff");
 }
