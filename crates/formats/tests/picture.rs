@@ -1,4 +1,5 @@
 //! Pictures in files: the format that a name means, what every format keeps, and what comparing two pictures tells.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that fails says so by panicking")]
 
 use lancer_formats::picture::{self, Format, PictureProblem, Place, Rectangle};
 use lancer_formats::{Describe, Problem};
@@ -23,10 +24,8 @@ fn file(picture: &Picture, format: Format) -> Vec<u8> {
 }
 
 fn problem(file: &[u8]) -> PictureProblem {
-    match picture::read(file).unwrap_err().problem {
-        Problem::Picture(problem) => problem,
-        other => panic!("{other:?}"),
-    }
+    let Problem::Picture(problem) = picture::read(file).unwrap_err().problem else { panic!("another problem") };
+    problem
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! Portable pixmaps: the text that is written, and everything that netpbm's manual lets a file hold.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that fails says so by panicking")]
 
 use lancer_formats::picture::{Count, PictureProblem};
 use lancer_formats::{Describe, Problem, Span, ppm};
@@ -28,10 +29,8 @@ fn pixels(file: &[u8]) -> Vec<[u8; 3]> {
 
 fn refused(file: &[u8]) -> (Span, PictureProblem) {
     let wrong = ppm::read(file).unwrap_err();
-    match wrong.problem {
-        Problem::Picture(problem) => (wrong.span.unwrap(), problem),
-        other => panic!("{other:?}"),
-    }
+    let Problem::Picture(problem) = wrong.problem else { panic!("another problem") };
+    (wrong.span.unwrap(), problem)
 }
 
 #[test]

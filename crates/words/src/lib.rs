@@ -16,6 +16,7 @@ mod phrases;
 pub mod binary;
 pub mod cli;
 pub mod explain;
+pub mod file;
 mod lang;
 pub mod lint;
 pub mod mesh;
