@@ -109,7 +109,7 @@ TABLE = {
     "sphere": {**OBJECT, "center": (point, REQUIRED), "radius": (length, REQUIRED)},
     "plane": {**OBJECT, "p0": (point, REQUIRED), "p1": (point, REQUIRED), "p2": (point, REQUIRED)},
     "facet": {**OBJECT, "p0": (point, REQUIRED), "p1": (point, REQUIRED), "p2": (point, REQUIRED)},
-    "cube": {**OBJECT, "center": (point, REQUIRED), "edge": (length, REQUIRED), "rotation": (three(-1e9, 1e9), ZERO)},
+    "cube": {**OBJECT, "center": (point, REQUIRED), "edge": (length, REQUIRED), "rotation": (point, ZERO)},
     "box": {**OBJECT, "origin": (point, REQUIRED), "u": (point, REQUIRED), "v": (point, REQUIRED), "w": (point, REQUIRED)},
     "mesh": {**OBJECT, "position": (point, ZERO), "rotation": (point, ZERO), "scale": (scale, ONE), "smooth": (truth, False)},
     "part": {"material": (name, REQUIRED), "facets": (lambda text: count(text, 2).astype(int), REQUIRED)},

@@ -1,5 +1,6 @@
 //! The house rules that a machine can check.
 
+use crate::documents;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -69,6 +70,7 @@ fn broken_rules(root: &Path) -> Vec<String> {
             broken.push(format!("{name}: has no sentence of purpose"));
         }
     }
+    broken.extend(documents::broken_names(root));
     broken
 }
 

@@ -23,12 +23,36 @@ pub struct Source {
 }
 
 impl Source {
-    /// Line and column of a byte, both from 1, the column in characters.
+    /// Line and column of a byte, both from 1, the column in characters. For many places, take [`Lines`].
     pub fn position(&self, offset: usize) -> (usize, usize) {
         let offset = self.text.floor_char_boundary(offset);
         let before = &self.text[..offset];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+    }
+}
+
+/// Where the lines of a text begin, for the places of many problems in a long text.
+#[derive(Clone, Debug)]
+pub struct Lines {
+    starts: Vec<usize>,
+}
+
+impl Lines {
+    /// Finds the lines of a text.
+    pub fn new(text: &str) -> Lines {
+        let starts = memchr::memchr_iter(b'\n', text.as_bytes()).map(|newline| newline + 1);
+        Lines { starts: std::iter::once(0).chain(starts).collect() }
+    }
+
+    /// The number of the line that holds an offset, from 1.
+    pub fn line(&self, offset: usize) -> usize {
+        self.starts.partition_point(|start| *start <= offset)
+    }
+
+    /// The first byte of the line that holds an offset.
+    pub fn start(&self, offset: usize) -> usize {
+        self.starts.get(self.line(offset) - 1).copied().unwrap_or_default()
     }
 }
 
@@ -124,26 +148,4 @@ problems! {
     Mesh(crate::mesh::MeshProblem),
     Picture(crate::picture::PictureProblem),
     Lint(Finding),
-}
-
-impl From<crate::xml::SyntaxProblem> for Problem {
-    fn from(problem: crate::xml::SyntaxProblem) -> Problem {
-        Problem::Xml(problem.into())
-    }
-}
-
-/// What lint says, in words.
-impl Describe for Finding {
-    fn code(&self) -> &'static str {
-        match *self {}
-    }
-    fn message(&self, _lang: Lang) -> String {
-        match *self {}
-    }
-    fn label(&self, _lang: Lang) -> String {
-        match *self {}
-    }
-    fn help(&self, _lang: Lang) -> Option<String> {
-        match *self {}
-    }
 }

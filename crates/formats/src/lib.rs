@@ -5,6 +5,7 @@
 
 pub mod binary;
 pub mod diagnostic;
+mod finding;
 pub mod load;
 pub mod mesh;
 pub mod n7_2009;
@@ -14,4 +15,4 @@ pub mod save;
 pub mod text;
 pub mod xml;
 
-pub use diagnostic::{Describe, Diagnostic, Outcome, Problem, Severity, Source, Span};
+pub use diagnostic::{Describe, Diagnostic, Lines, Outcome, Problem, Severity, Source, Span};

@@ -16,7 +16,7 @@ const LINE: usize = 70;
 /// Bytes that are gathered before they are handed on.
 const BLOCK: usize = 1 << 16;
 
-/// The decimal digits of every byte with a space behind, and how many characters that makes.
+/// The decimal digits of every byte with spaces behind, and how many characters they are with one space.
 const DIGITS: [([u8; 4], u8); 256] = digits();
 
 const fn digits() -> [([u8; 4], u8); 256] {
@@ -47,38 +47,34 @@ const fn digits() -> [([u8; 4], u8); 256] {
 /// What `out` says; [`io::ErrorKind::InvalidInput`] for a picture whose pixels do not fill its size.
 pub fn write_plain(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
     check_size(picture)?;
-    let mut block = Vec::with_capacity(BLOCK + 64);
-    block.extend_from_slice(format!("P3\n# lancer\n{} {}\n255\n", picture.width, picture.height).as_bytes());
+    write!(out, "P3\n# lancer\n{} {}\n255\n", picture.width, picture.height)?;
+    let mut block = vec![0; BLOCK];
+    let mut filled = 0;
     for row in picture.bytes.chunks_exact(picture.width as usize) {
         let mut column = 0;
         for &[red, green, blue] in row {
+            if filled + 3 * DIGITS[0].0.len() > BLOCK {
+                // All but the last character, which may have to become a line's end.
+                out.write_all(&block[..filled - 1])?;
+                block[0] = block[filled - 1];
+                filled = 1;
+            }
             let [r, g, b] = [red, green, blue].map(|value| &DIGITS[usize::from(value)]);
-            let length = usize::from(r.1) + usize::from(g.1) + usize::from(b.1);
+            let length = usize::from(r.1 + g.1 + b.1);
             // The space behind the last triple of a line becomes the line's end.
             if column + length > LINE + 1 {
-                end_line(&mut block);
+                block[filled - 1] = b'\n';
                 column = 0;
             }
             column += length;
-            for (text, length) in [r, g, b] {
-                block.extend_from_slice(text);
-                block.truncate(block.len() - 4 + usize::from(*length));
+            for (digits, length) in [r, g, b] {
+                block[filled..filled + digits.len()].copy_from_slice(digits);
+                filled += usize::from(*length);
             }
         }
-        end_line(&mut block);
-        if block.len() >= BLOCK {
-            out.write_all(&block)?;
-            block.clear();
-        }
+        block[filled - 1] = b'\n';
     }
-    out.write_all(&block)
-}
-
-/// Turns the space at the end into a newline.
-fn end_line(block: &mut [u8]) {
-    if let Some(last) = block.last_mut() {
-        *last = b'\n';
-    }
+    out.write_all(&block[..filled])
 }
 
 /// Writes a raw pixmap: the header `P6`, the size, `255`, and three bytes a pixel.

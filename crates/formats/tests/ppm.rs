@@ -1,4 +1,5 @@
 //! Portable pixmaps: the text that is written, and everything that netpbm's manual lets a file hold.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that fails says so by panicking")]
 
 use lancer_formats::picture::{Count, PictureProblem};
 use lancer_formats::{Describe, Problem, Span, ppm};
@@ -28,10 +29,8 @@ fn pixels(file: &[u8]) -> Vec<[u8; 3]> {
 
 fn refused(file: &[u8]) -> (Span, PictureProblem) {
     let wrong = ppm::read(file).unwrap_err();
-    match wrong.problem {
-        Problem::Picture(problem) => (wrong.span.unwrap(), problem),
-        other => panic!("{other:?}"),
-    }
+    let Problem::Picture(problem) = wrong.problem else { panic!("another problem") };
+    (wrong.span.unwrap(), problem)
 }
 
 #[test]
@@ -61,6 +60,17 @@ fn the_longest_line_has_exactly_70_characters() {
     let text = plain(&picture(11, 1, &row));
     assert_eq!(text.lines().nth(4).unwrap().len(), 65);
     assert_eq!(text.lines().nth(5).unwrap(), "0 0 0");
+}
+
+#[test]
+fn a_picture_larger_than_any_buffer_has_no_seam() {
+    let bytes: Vec<[u8; 3]> = (0..30_000_u32).map(|i| [i as u8, (i / 7) as u8, (i / 200) as u8]).collect();
+    for (width, height) in [(30_000, 1), (200, 150), (1, 30_000)] {
+        let picture = picture(width, height, &bytes);
+        let text = plain(&picture);
+        assert!(text.lines().all(|line| line.len() <= 70 && line.trim() == line));
+        assert_eq!(ppm::read(text.as_bytes()).unwrap(), picture);
+    }
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! What keeps a picture from being rendered.
 
+use crate::Region;
 use lancer_scene::Invalid;
+use lancer_trace::TraceError;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -14,6 +16,8 @@ pub enum RenderError {
     /// The region has no pixel or leaves the picture.
     #[error("the region does not lie in the picture of {width}×{height} pixels")]
     Region {
+        /// The region.
+        region: Region,
         /// Pixels per row of the picture.
         width: u32,
         /// Rows of the picture.
@@ -43,6 +47,18 @@ pub enum RenderError {
         /// What is wrong with it.
         fault: PixelFault,
     },
+}
+
+impl RenderError {
+    /// What a tracer says of a pixel of the view, with its place.
+    pub fn at((x, y): (u32, u32), error: TraceError) -> RenderError {
+        let fault = match error {
+            TraceError::Cancelled => return RenderError::Cancelled,
+            TraceError::Budget { limit } => PixelFault::Budget { limit },
+            TraceError::NotFinite => PixelFault::NotFinite,
+        };
+        RenderError::Pixel { x, y, fault }
+    }
 }
 
 /// Why a pixel has no colour.

@@ -4,9 +4,9 @@
 //! tiles to the calling thread, which alone touches the film.
 
 use crate::tile::tile;
-use crate::{Film, PixelFault, Region, RenderError, Tile};
+use crate::{Film, Region, RenderError, Tile};
 use lancer_scene::{Color, Picture, View};
-use lancer_trace::{Camera, Cancel, RayCounts, Settings, TraceError, Tracer, World};
+use lancer_trace::{Camera, Cancel, RayCounts, Settings, Tracer, World};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc;
@@ -54,7 +54,7 @@ pub fn render_still(
     settings.max_rays = options.max_rays.unwrap_or(settings.max_rays);
     let region = options.region.unwrap_or(Region::whole(view.width, view.height));
     if !region.lies_within(view.width, view.height) {
-        return Err(RenderError::Region { width: view.width, height: view.height });
+        return Err(RenderError::Region { region, width: view.width, height: view.height });
     }
     let mut film = Film::new(region.width, region.height, options.keep_linear)?;
     let pool = rayon::ThreadPoolBuilder::new()
@@ -159,20 +159,10 @@ impl Job<'_> {
                 Err(error) => {
                     let pixel = number((x, y));
                     self.failed.fetch_min(pixel, Ordering::Relaxed);
-                    return Some(Err(Failure { pixel, error: located(place, error) }));
+                    return Some(Err(Failure { pixel, error: RenderError::at(place, error) }));
                 }
             }
         }
         Some(Ok(Done { tile, colors, counts }))
     }
-}
-
-/// The tracer's error with its pixel.
-fn located((x, y): (u32, u32), error: TraceError) -> RenderError {
-    let fault = match error {
-        TraceError::Cancelled => return RenderError::Cancelled,
-        TraceError::Budget { limit } => PixelFault::Budget { limit },
-        TraceError::NotFinite => PixelFault::NotFinite,
-    };
-    RenderError::Pixel { x, y, fault }
 }

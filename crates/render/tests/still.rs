@@ -167,9 +167,10 @@ fn the_first_costly_pixel_in_row_order_is_named_whatever_the_threads() {
 
 #[test]
 fn a_region_outside_the_picture_is_refused() {
-    let options = RenderOptions { region: Some(Region { x: 35, y: 0, width: 6, height: 1 }), ..threads(1) };
+    let region = Region { x: 35, y: 0, width: 6, height: 1 };
+    let options = RenderOptions { region: Some(region), ..threads(1) };
     let refused = render(&Scene::default(), &view(40, 30), &options).unwrap_err();
-    assert_eq!(refused, RenderError::Region { width: 40, height: 30 });
+    assert_eq!(refused, RenderError::Region { region, width: 40, height: 30 });
 }
 
 #[test]

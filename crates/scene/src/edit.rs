@@ -1,7 +1,10 @@
 //! Edits: the only way a scene or its views change, each with its inverse.
 
 use crate::scene::Stage;
-use crate::{Environment, Invalid, List, Material, MaterialRef, Name, NameKind, Object, PointLight, Shape, View};
+use crate::{
+    Environment, Invalid, List, Material, MaterialRef, MeshGeometry, Name, NameKind, Object, PointLight, Shape, View,
+};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A change of a [`Stage`]. Items are addressed by their place in their list.
@@ -225,7 +228,8 @@ fn unused(objects: &List<Object>, name: &Name) -> Result<(), EditError> {
     }
 }
 
-/// The objects with every reference to `old` changed to `new`; objects without one are shared.
+/// The objects with every reference to `old` changed to `new`; objects without one are shared, and meshes that shared
+/// their geometry share the changed one.
 fn renamed(objects: &List<Object>, old: &Name, new: &Name) -> List<Object> {
     let refers = |object: &Object| object.material_refs().any(|material| material.name() == Some(old));
     if old == new || !objects.iter().any(|object| refers(object)) {
@@ -236,6 +240,7 @@ fn renamed(objects: &List<Object>, old: &Name, new: &Name) -> List<Object> {
             *material = MaterialRef::Named(new.clone());
         }
     };
+    let mut geometries = HashMap::new();
     objects.with(|objects| {
         for object in objects.iter_mut().filter(|object| refers(object)) {
             let object = Arc::make_mut(object);
@@ -243,7 +248,12 @@ fn renamed(objects: &List<Object>, old: &Name, new: &Name) -> List<Object> {
             if let Shape::Mesh(mesh) = &mut object.shape
                 && mesh.geometry.parts.iter().any(|part| part.material.name() == Some(old))
             {
-                Arc::make_mut(&mut mesh.geometry).parts.iter_mut().for_each(|part| rename(&mut part.material));
+                let renamed = geometries.entry(Arc::as_ptr(&mesh.geometry)).or_insert_with(|| {
+                    let mut geometry = MeshGeometry::clone(&mesh.geometry);
+                    geometry.parts.iter_mut().for_each(|part| rename(&mut part.material));
+                    Arc::new(geometry)
+                });
+                mesh.geometry = Arc::clone(renamed);
             }
         }
     })

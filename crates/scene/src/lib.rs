@@ -28,7 +28,7 @@ pub use edit::{Edit, EditError, ListEdit};
 pub use environment::{Compose, Environment};
 pub use glam::{DMat3, DVec3};
 pub use light::PointLight;
-pub use lint::{Finding, lint};
+pub use lint::{Bounce, Finding, Owner, Weight, lint};
 pub use list::List;
 pub use material::{Highlight, Material, MaterialRef, Reflectance, Surface};
 pub use mesh::{Enclosure, Mesh, MeshGeometry, Part};

@@ -23,14 +23,7 @@ impl Object {
 
     /// Every material that the object names: its own and those of a mesh's parts.
     pub fn material_refs(&self) -> impl Iterator<Item = &MaterialRef> {
-        let parts = match &self.shape {
-            Shape::Mesh(mesh) => mesh.geometry.parts.as_slice(),
-            Shape::Sphere { .. }
-            | Shape::Plane { .. }
-            | Shape::Facet { .. }
-            | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. } => &[],
-        };
+        let parts = self.shape.geometry().map_or(&[][..], |geometry| geometry.parts.as_slice());
         std::iter::once(&self.material).chain(parts.iter().map(|part| &part.material))
     }
 }

@@ -1,7 +1,8 @@
 //! The shapes of objects: a closed enum, so that a new shape makes the compiler list the work.
 
-use crate::{Mesh, placement};
+use crate::{Mesh, MeshGeometry, placement};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The geometry of an object (subject §3).
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +62,18 @@ impl Shape {
             Shape::Cube { .. } => "cube",
             Shape::Parallelepiped { .. } => "box",
             Shape::Mesh(_) => "mesh",
+        }
+    }
+
+    /// The geometry of a mesh.
+    pub fn geometry(&self) -> Option<&Arc<MeshGeometry>> {
+        match self {
+            Shape::Mesh(mesh) => Some(&mesh.geometry),
+            Shape::Sphere { .. }
+            | Shape::Plane { .. }
+            | Shape::Facet { .. }
+            | Shape::Cube { .. }
+            | Shape::Parallelepiped { .. } => None,
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::{Environment, Material, MaterialRef, Name, NameKind, Object, PointLight, Rgb, Scene, Shape, Surface, View};
 use glam::DVec3;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// The bounds of the numbers.
 pub mod limits {
@@ -206,12 +207,25 @@ impl Object {
     /// # Errors
     /// The first rule that the object breaks.
     pub fn check(&self) -> Result<(), Invalid> {
+        self.check_instance()?;
+        self.shape.geometry().map_or(Ok(()), |geometry| geometry.check())
+    }
+
+    /// Checks all but a mesh's geometry, which objects may share.
+    fn check_instance(&self) -> Result<(), Invalid> {
         name(&self.name)?;
-        self.material_refs().try_for_each(|material| match material {
+        self.material.check()?;
+        self.shape.check_instance()
+    }
+}
+
+impl MaterialRef {
+    /// Checks a surface of its own; whether a named material exists is the scene's matter.
+    fn check(&self) -> Result<(), Invalid> {
+        match self {
             MaterialRef::Inline(surface) => surface.check(),
             MaterialRef::Default | MaterialRef::Named(_) => Ok(()),
-        })?;
-        self.shape.check()
+        }
     }
 }
 
@@ -219,6 +233,12 @@ impl Shape {
     /// # Errors
     /// The first rule that the shape breaks.
     pub fn check(&self) -> Result<(), Invalid> {
+        self.check_instance()?;
+        self.geometry().map_or(Ok(()), |geometry| geometry.check())
+    }
+
+    /// Checks all but a mesh's geometry.
+    fn check_instance(&self) -> Result<(), Invalid> {
         match self {
             Shape::Sphere { center, radius } => {
                 point("center", *center)?;
@@ -249,7 +269,7 @@ impl Shape {
                 if placement.scale.to_array().into_iter().any(|factor| factor.abs() < limits::LEAST) {
                     return Err(Invalid::ScaleZero);
                 }
-                mesh.geometry.check()
+                Ok(())
             }
         }
     }
@@ -280,7 +300,7 @@ impl crate::MeshGeometry {
             }
             free_from = end;
         }
-        Ok(())
+        self.parts.iter().try_for_each(|part| part.material.check())
     }
 }
 
@@ -339,10 +359,15 @@ impl Scene {
             light.check().map_err(at(&light.name))?;
             take(&mut names, &light.name, NameKind::ObjectOrLight).map_err(at(&light.name))?;
         }
+        let mut geometries = HashSet::new();
         for object in &self.objects {
-            object.check().map_err(at(&object.name))?;
+            object.check_instance().map_err(at(&object.name))?;
             take(&mut names, &object.name, NameKind::ObjectOrLight).map_err(at(&object.name))?;
-            for name in object.material_refs().filter_map(MaterialRef::name) {
+            // Geometry that many objects share is looked at once, and the materials of its parts too.
+            let geometry = object.shape.geometry().filter(|geometry| geometries.insert(Arc::as_ptr(geometry)));
+            geometry.map_or(Ok(()), |geometry| geometry.check()).map_err(at(&object.name))?;
+            let parts = geometry.map_or(&[][..], |geometry| &geometry.parts).iter().map(|part| &part.material);
+            for name in std::iter::once(&object.material).chain(parts).filter_map(MaterialRef::name) {
                 if !materials.contains(name) {
                     return Err((Some(object.name.clone()), Invalid::UnknownMaterial { name: name.clone() }));
                 }

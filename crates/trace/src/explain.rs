@@ -30,7 +30,7 @@ pub struct SampleTree {
 /// Traces pixel `(i, j)` exactly as a picture's pixel and records everything.
 ///
 /// # Errors
-/// As [`Tracer::pixel`]; the budget holds for each sample.
+/// As [`Tracer::pixel`].
 pub fn explain(
     world: &World,
     camera: &Camera,
@@ -39,6 +39,8 @@ pub fn explain(
     cancel: &Cancel,
 ) -> Result<PixelTree, TraceError> {
     let tracer = Tracer::new(world, camera, settings, cancel);
+    // first, so that the budget of the whole pixel bounds what is recorded
+    let color = tracer.pixel(i, j, &mut ())?;
     let samples = camera
         .sample_positions(i, j)
         .map(|(x, y)| {
@@ -47,6 +49,5 @@ pub fn explain(
             Ok(SampleTree { x, y, color, tree })
         })
         .collect::<Result<Vec<_>, TraceError>>()?;
-    let color = tracer.pixel(i, j, &mut ())?;
     Ok(PixelTree { samples, color, bytes: color.to_bytes() })
 }

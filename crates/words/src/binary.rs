@@ -7,7 +7,7 @@ phrases! {
     }
     not_binary_scene_help() {
         "a `.lancer` file begins with the signature that `lancer convert` writes",
-        "un fichier `.lancer` commence par la signature qu'écrit `lancer convert`",
+        "un fichier « .lancer » commence par la signature qu'écrit « lancer convert »",
     }
     transferred_as_text() {
         "the file was damaged by a transfer that took it for text",
@@ -15,7 +15,7 @@ phrases! {
     }
     transferred_as_text_help() {
         "copy it again in binary mode (for git: `*.lancer binary` in .gitattributes)",
-        "recopiez-le en mode binaire (pour git : `*.lancer binary` dans .gitattributes)",
+        "recopiez-le en mode binaire (pour git : « *.lancer binary » dans .gitattributes)",
     }
     cut(found, expected) {
         "the file is cut: {found} of its {expected} bytes are there",
@@ -59,6 +59,6 @@ phrases! {
     }
     invalid_part(name, rule) {
         "`{name}`: {rule}",
-        "`{name}` : {rule}",
+        "« {name} » : {rule}",
     }
 }

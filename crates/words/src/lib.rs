@@ -17,6 +17,7 @@ pub mod arithmetic;
 pub mod binary;
 pub mod cli;
 pub mod explain;
+pub mod file;
 mod lang;
 pub mod lint;
 pub mod mesh;

@@ -30,5 +30,8 @@ counts! {
     parts: "part" "parts", "partie" "parties";
     errors: "error" "errors", "erreur" "erreurs";
     warnings: "warning" "warnings", "avertissement" "avertissements";
+    numbers: "number" "numbers", "nombre" "nombres";
+    files: "file" "files", "fichier" "fichiers";
+    threads: "thread" "threads", "fil d'exécution" "fils d'exécution";
     pixels: "pixel" "pixels", "pixel" "pixels";
 }

@@ -41,4 +41,8 @@ macro_rules! reports {
     )*};
 }
 
+pub mod rule;
+pub mod structure;
 pub mod syntax;
+pub mod value;
+pub mod vocabulary;

@@ -16,8 +16,10 @@ use lancer_words::{Lang, picture as words};
 use std::io::{self, Cursor, Write};
 use std::path::Path;
 
-/// The most memory that decoding a picture may take.
-const MOST_MEMORY: u64 = 2 << 30;
+/// The most memory that decoding a picture may take: no compression in use makes a picture smaller than a thousandth.
+fn most_memory(file: &[u8]) -> u64 {
+    ((64 << 20) + 4096 * file.len() as u64).min(2 << 30)
+}
 
 /// The formats in which a picture can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -152,12 +154,12 @@ pub fn read(bytes: &[u8]) -> Result<Picture, Diagnostic> {
     if !known.contains(&container) {
         return Err(unknown());
     }
-    decode(bytes, container).map_err(|error| Diagnostic::error(None, problem(&error)))
+    decode(bytes, container).map_err(|error| Diagnostic::error(None, problem(&error, most_memory(bytes))))
 }
 
-fn problem(error: &image::ImageError) -> PictureProblem {
+fn problem(error: &image::ImageError, most: u64) -> PictureProblem {
     match error {
-        image::ImageError::Limits(_) => PictureProblem::TooMuchMemory { most: MOST_MEMORY },
+        image::ImageError::Limits(_) => PictureProblem::TooMuchMemory { most },
         image::ImageError::Decoding(_)
         | image::ImageError::Encoding(_)
         | image::ImageError::Parameter(_)
@@ -168,10 +170,11 @@ fn problem(error: &image::ImageError) -> PictureProblem {
 
 fn decode(bytes: &[u8], container: ImageFormat) -> image::ImageResult<Picture> {
     let mut limits = image::Limits::default();
-    limits.max_alloc = Some(MOST_MEMORY);
+    limits.max_alloc = Some(most_memory(bytes));
     let mut reader = image::ImageReader::with_format(Cursor::new(bytes), container);
-    reader.limits(limits);
+    reader.limits(limits.clone());
     let decoder = reader.into_decoder()?;
+    limits.reserve(decoder.total_bytes())?;
     let (width, height) = decoder.dimensions();
     let linear = matches!(decoder.color_type(), ColorType::Rgb32F | ColorType::Rgba32F);
     let image = DynamicImage::from_decoder(decoder)?;

@@ -1,8 +1,9 @@
 //! Everything that can be wrong with an XML document, and how it is told.
 
-use super::SyntaxProblem;
-use crate::Describe;
-use lancer_words::{Lang, xml::Report};
+use super::{StructureProblem, SyntaxProblem, ValueProblem};
+use crate::{Describe, Problem};
+use lancer_scene::Invalid;
+use lancer_words::{Lang, xml::Report, xml::value as words};
 use std::fmt;
 
 /// What is wrong with an XML document.
@@ -10,40 +11,64 @@ use std::fmt;
 pub enum XmlProblem {
     /// The bytes are no well-formed XML.
     Syntax(SyntaxProblem),
-}
-
-impl From<SyntaxProblem> for XmlProblem {
-    fn from(problem: SyntaxProblem) -> XmlProblem {
-        XmlProblem::Syntax(problem)
-    }
+    /// A value is not written as it must be.
+    Value(ValueProblem),
+    /// An element, an attribute, a name or a reference is not what the vocabulary asks for.
+    Structure(StructureProblem),
+    /// A scene or a view would break a rule.
+    Rule(Invalid),
 }
 
 impl XmlProblem {
-    fn report(&self, lang: Lang) -> Report {
+    fn told(&self, lang: Lang) -> (&'static str, Report) {
         match self {
-            XmlProblem::Syntax(problem) => problem.report(lang),
+            XmlProblem::Syntax(problem) => problem.told(lang),
+            XmlProblem::Value(problem) => problem.told(lang),
+            XmlProblem::Structure(problem) => problem.told(lang),
+            XmlProblem::Rule(rule) => super::rule::told(rule, lang),
         }
     }
 }
 
 impl Describe for XmlProblem {
     fn code(&self) -> &'static str {
-        match self {
-            XmlProblem::Syntax(problem) => problem.code(),
-        }
+        self.told(Lang::English).0
     }
 
     fn message(&self, lang: Lang) -> String {
-        self.report(lang).message
+        self.told(lang).1.message
     }
 
     fn label(&self, lang: Lang) -> String {
-        self.report(lang).label
+        self.told(lang).1.label
     }
 
     fn help(&self, lang: Lang) -> Option<String> {
-        Some(self.report(lang).help).filter(|help| !help.is_empty())
+        Some(self.told(lang).1.help).filter(|help| !help.is_empty())
     }
+}
+
+macro_rules! kinds {
+    ($($kind:ident($problem:ty);)*) => {$(
+        impl From<$problem> for XmlProblem {
+            fn from(problem: $problem) -> XmlProblem {
+                XmlProblem::$kind(problem)
+            }
+        }
+
+        impl From<$problem> for Problem {
+            fn from(problem: $problem) -> Problem {
+                Problem::Xml(XmlProblem::$kind(problem))
+            }
+        }
+    )*};
+}
+
+kinds! {
+    Syntax(SyntaxProblem);
+    Value(ValueProblem);
+    Structure(StructureProblem);
+    Rule(Invalid);
 }
 
 /// A piece of a document as a message quotes it: on one line, and short whatever the document holds.
@@ -65,8 +90,32 @@ impl Excerpt {
     }
 }
 
+impl AsRef<str> for Excerpt {
+    fn as_ref(&self) -> &str {
+        &self.0
+    }
+}
+
 impl fmt::Display for Excerpt {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.0)
+    }
+}
+
+/// The legal word that was probably meant, if one is near.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Guess(pub Option<Excerpt>);
+
+impl Guess {
+    /// The nearest of several legal words.
+    pub fn among<'a>(found: &str, legal: impl IntoIterator<Item = &'a str>) -> Guess {
+        Guess(super::nearest::nearest(found, legal).map(Excerpt::new))
+    }
+
+    pub(super) fn word(&self, lang: Lang) -> String {
+        match &self.0 {
+            Some(name) => words::did_you_mean(lang, name),
+            None => words::unknown(lang),
+        }
     }
 }

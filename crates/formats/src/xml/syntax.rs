@@ -4,7 +4,7 @@ use super::Excerpt;
 use lancer_words::Lang;
 use lancer_words::xml::{Report, syntax as words};
 
-/// Writes the enum of problems, with each problem's code and words beside it.
+/// Writes the enum of problems with each one's code and words.
 macro_rules! syntax_problems {
     ($($(#[$doc:meta])* $variant:ident $({ $($field:ident: $type:ty),* })? = $code:literal, $words:ident;)*) => {
         /// Why a text is no well-formed XML, or none that is read here.
@@ -16,13 +16,9 @@ macro_rules! syntax_problems {
         )*}
 
         impl SyntaxProblem {
-            pub(super) fn code(&self) -> &'static str {
-                match self { $(SyntaxProblem::$variant { .. } => $code,)* }
-            }
-
-            pub(super) fn report(&self, lang: Lang) -> Report {
+            pub(super) fn told(&self, lang: Lang) -> (&'static str, Report) {
                 match self {
-                    $(SyntaxProblem::$variant $({ $($field),* })? => words::$words(lang $($(, $field)*)?),)*
+                    $(SyntaxProblem::$variant $({ $($field),* })? => ($code, words::$words(lang $($(, $field)*)?)),)*
                 }
             }
         }

@@ -108,8 +108,12 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
 }
 
 pub(crate) fn light() -> impl Strategy<Value = PointLight> {
-    (name(), point(), channels(0.0, 1.0), any::<bool>())
-        .prop_map(|(name, position, color, visible)| PointLight { name: name.into(), position, color, visible })
+    (name(), point(), channels(0.0, 1.0), any::<bool>()).prop_map(|(name, position, color, visible)| PointLight {
+        name: name.into(),
+        position,
+        color,
+        visible,
+    })
 }
 
 /// A reference to one of the named materials, or to none of them.
@@ -167,9 +171,8 @@ pub(crate) fn shape(geometries: Vec<Arc<MeshGeometry>>, extent: Extent) -> impl 
         Extent::Whole => vec![None, Some(Arc::from("models/rabbit.obj"))],
         Extent::SelfContained => vec![None],
     };
-    let mesh = (select(geometries), select(sources), placement(), any::<bool>()).prop_map(
-        |(geometry, source, placement, smooth)| Shape::Mesh(Mesh { geometry, source, placement, smooth }),
-    );
+    let mesh = (select(geometries), select(sources), placement(), any::<bool>())
+        .prop_map(|(geometry, source, placement, smooth)| Shape::Mesh(Mesh { geometry, source, placement, smooth }));
     let length = || number(1e-9, 1e9);
     prop_oneof![
         (point(), length()).prop_map(|(center, radius)| Shape::Sphere { center, radius }),
@@ -204,9 +207,7 @@ pub(crate) fn scene(extent: Extent) -> impl Strategy<Value = Scene> {
             objects.prop_map(move |mut objects| {
                 let mut lights = lights.clone();
                 let of_lights = lights.iter_mut().map(|light| &mut light.name);
-                distinct(
-                    &mut of_lights.chain(objects.iter_mut().map(|object| &mut object.name)).collect::<Vec<_>>(),
-                );
+                distinct(&mut of_lights.chain(objects.iter_mut().map(|object| &mut object.name)).collect::<Vec<_>>());
                 Scene {
                     name: name.clone(),
                     world: world.clone(),
@@ -236,11 +237,8 @@ pub(crate) fn view() -> impl Strategy<Value = View> {
         ])),
         (near(), near(), number(1.0, 179.0)).prop_map(|(look_at, up, fov)| ScreenSpec::LookAt { look_at, up, fov }),
     ];
-    let steps = any::<[bool; 3]>().prop_map(|[shadows, reflection, transparency]| Steps {
-        shadows,
-        reflection,
-        transparency,
-    });
+    let steps =
+        any::<[bool; 3]>().prop_map(|[shadows, reflection, transparency]| Steps { shadows, reflection, transparency });
     let pixels = || prop_oneof![1..=64_u32, 1..=65_535_u32];
     let rest = (1..=64_u32, option::of(0..=64_u32), steps);
     (name(), pixels(), pixels(), near(), screen, rest)

@@ -61,7 +61,7 @@ impl<W: Borrow<World>> Tracer<W> {
             sum = sum + path.primary(x, y)?;
             samples += 1.0;
         }
-        Ok(sum * (1.0 / samples))
+        Ok(sum.map(|channel| channel / samples))
     }
 
     /// The clamped colour seen at `x` pixels from the left and `y` from the top.

@@ -13,8 +13,9 @@ pub(crate) struct Body {
     pub(crate) geometry: Geometry,
     /// The number of its surface; parts of a mesh have their own.
     pub(crate) surface: u32,
-    /// Whether some part of it lets light through: then it is a medium if it encloses something.
-    pub(crate) transparent: bool,
+    /// The surface whose index an eye inside finds itself in: that of the first facet that lets light through. `None`:
+    /// the object is no medium.
+    pub(crate) medium: Option<u32>,
     pub(crate) extent: Extent,
 }
 
@@ -40,7 +41,7 @@ pub(crate) enum Extent {
 impl Body {
     pub(crate) fn compile(object: &Object, surfaces: &mut Surfaces) -> Body {
         let surface = surfaces.number(&object.material);
-        let mut transparent = surfaces.is_transparent(surface);
+        let mut medium = surfaces.is_transparent(surface).then_some(surface);
         let solid = Extent::Volume { inverted: false };
         let (geometry, extent) = match &object.shape {
             Shape::Sphere { center, radius } => (Geometry::Sphere { center: *center, radius: *radius }, solid),
@@ -55,9 +56,9 @@ impl Body {
             }
             Shape::Mesh(mesh) => {
                 let facets = Facets::of_mesh(mesh, surfaces);
-                transparent = transparent || facets.surfaces().any(|surface| surfaces.is_transparent(surface));
+                medium = facets.surfaces(surface).find(|surface| surfaces.is_transparent(*surface));
                 // only a medium needs to know what it encloses
-                let enclosure = if transparent { mesh.enclosure() } else { Enclosure::Sheet };
+                let enclosure = if medium.is_some() { mesh.enclosure() } else { Enclosure::Sheet };
                 let extent = match enclosure {
                     Enclosure::Volume { inverted } => Extent::Volume { inverted },
                     Enclosure::Sheet => Extent::Sheet,
@@ -65,7 +66,7 @@ impl Body {
                 (Geometry::Facets(facets), extent)
             }
         };
-        Body { name: object.name.clone(), geometry, surface, transparent, extent }
+        Body { name: object.name.clone(), geometry, surface, medium, extent }
     }
 
     /// The box around it, a little wider than the points that rays can hit; `None` for a plane.

@@ -80,9 +80,9 @@ impl Facets {
         (facet < end).then_some(surface)
     }
 
-    /// The surfaces of the parts.
-    pub(crate) fn surfaces(&self) -> impl Iterator<Item = u32> + '_ {
-        self.parts.iter().map(|&(_, _, surface)| surface)
+    /// The surface of each facet in order, where `otherwise` is the one of facets that belong to no part.
+    pub(crate) fn surfaces(&self, otherwise: u32) -> impl Iterator<Item = u32> + '_ {
+        (0..self.len()).map(move |facet| self.surface(facet).unwrap_or(otherwise))
     }
 
     /// The hierarchy over the facets; an item is a facet's number.

@@ -183,14 +183,17 @@ impl Media {
     /// The stack of a ray that starts at a point in free space: the transparent bodies around it, planes first, then
     /// by the diagonal of their bounds, longest first, ties in document order.
     pub(crate) fn around(world: &World, point: DVec3) -> Media {
-        let mut inside: Vec<(u32, f64)> = (0_u32..)
+        let mut inside: Vec<(u32, u32, f64)> = (0_u32..)
             .zip(&world.bodies)
-            .filter(|(_, body)| body.transparent && body.contains(point))
-            .map(|(number, body)| (number, body.bounds().map_or(f64::INFINITY, |bounds| bounds.diagonal())))
+            .filter_map(|(number, body)| Some((number, body.medium?, body)))
+            .filter(|(_, _, body)| body.contains(point))
+            .map(|(number, medium, body)| {
+                (number, medium, body.bounds().map_or(f64::INFINITY, |bounds| bounds.diagonal()))
+            })
             .collect();
         // stable: equal diagonals stay in document order
-        inside.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-        Media(inside.into_iter().map(|(number, _)| (number, world.surface(world.body(number).surface).index)).collect())
+        inside.sort_by(|(_, _, a), (_, _, b)| b.total_cmp(a));
+        Media(inside.into_iter().map(|(number, medium, _)| (number, world.surface(medium).index)).collect())
     }
 }
 

@@ -1,0 +1,233 @@
+//! Reads the meshes of a scene document: inline lists of numbers, or a file that the document names.
+
+use super::contents::Contents;
+use super::fields::{Fields, Stands};
+use super::read_scene::SceneReader;
+use super::sink::Sink;
+use super::vocabulary::{ElementRule, FACETS, MESH, NORMALS, PART, VERTICES};
+use super::{Due, Element, Number, StructureProblem, ValueProblem, Written};
+use crate::{Diagnostic, Span};
+use lancer_scene::{DVec3, Invalid, Mesh, MeshGeometry, Part, Placement, Shape, limits};
+use std::sync::Arc;
+
+/// The elements within a mesh.
+#[derive(Default)]
+pub(super) struct MeshElements<'d> {
+    vertices: Option<Element<'d>>,
+    normals: Option<Element<'d>>,
+    facets: Option<Element<'d>>,
+    parts: Vec<Element<'d>>,
+}
+
+impl<'d> MeshElements<'d> {
+    pub(super) fn add(&mut self, rule: &'static ElementRule, element: Element<'d>) {
+        match rule.name {
+            "vertices" => self.vertices = Some(element),
+            "normals" => self.normals = Some(element),
+            "facets" => self.facets = Some(element),
+            _ => self.parts.push(element),
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = (&'static ElementRule, Element<'d>)> {
+        let lists = [(&VERTICES, self.vertices), (&NORMALS, self.normals), (&FACETS, self.facets)];
+        let lists = lists.into_iter().filter_map(|(rule, element)| Some((rule, element?)));
+        lists.chain(self.parts.iter().map(|part| (&PART, *part)))
+    }
+}
+
+/// Faults of one list that are told; a list that counts from 1 would give one for nearly every facet.
+const FAULTS_OF_A_LIST: usize = 5;
+
+/// The mesh of an element. `has_material` says whether the object has a material, which replaces those of a file.
+pub(super) fn mesh<'d>(
+    reader: &mut SceneReader<'d, '_, '_>,
+    element: Element<'d>,
+    fields: &Fields<'d>,
+    elements: &MeshElements<'d>,
+    has_material: bool,
+) -> Option<Shape> {
+    let source = element.attribute("src");
+    let geometry = if source.is_some() {
+        let mut sound = true;
+        for (rule, child) in elements.all() {
+            reader.sink.error(child.name_span(), StructureProblem::BesideSource { name: rule.name });
+            sound = false;
+        }
+        let (path, span) = fields.text_of("src").filter(|_| sound)?;
+        from_file(reader, path, span, has_material)
+    } else {
+        inline(reader, element, elements).map(Arc::new)
+    };
+    let mesh = Mesh {
+        geometry: geometry?,
+        source: fields.text_of("src").map(|(path, _)| path.into()),
+        placement: Placement {
+            scale: fields.point("scale")?,
+            rotation: fields.point("rotation")?,
+            position: fields.point("position")?,
+        },
+        smooth: fields.flag("smooth")?,
+    };
+    let shape = Shape::Mesh(mesh);
+    match shape.check() {
+        Err(rule @ Invalid::PartRange { part, .. }) => {
+            let part = elements.parts.get(part).copied();
+            let span = part.and_then(|part| Some(part.attribute("facets")?.value_span));
+            reader.sink.error(span.unwrap_or_else(|| element.name_span()), rule);
+            None
+        }
+        Err(rule @ Invalid::NormalCount { .. }) => {
+            let normals = elements.normals.map_or_else(|| element.name_span(), Element::name_span);
+            reader.sink.error(normals, rule);
+            None
+        }
+        rule => fields.checked(shape, rule, reader.sink),
+    }
+}
+
+/// The geometry of a file; what is wrong with it is told where the document names it.
+fn from_file(
+    reader: &mut SceneReader<'_, '_, '_>,
+    path: &str,
+    span: Span,
+    has_material: bool,
+) -> Option<Arc<MeshGeometry>> {
+    match reader.files.read(path) {
+        Ok(file) => {
+            file.warnings.iter().for_each(|warning| reader.sink.warning(span, warning.clone()));
+            Some(if has_material { file.without_materials() } else { file.geometry })
+        }
+        Err(problem) => {
+            reader.sink.error(span, problem);
+            None
+        }
+    }
+}
+
+fn inline<'d>(
+    reader: &mut SceneReader<'d, '_, '_>,
+    element: Element<'d>,
+    elements: &MeshElements<'d>,
+) -> Option<MeshGeometry> {
+    let (Some(vertices), Some(facets)) = (elements.vertices, elements.facets) else {
+        let missing = |name, sample| StructureProblem::MissingElement { name, parent: MESH.name, sample };
+        let problem = match (elements.vertices, elements.facets) {
+            (None, Some(_)) => missing(VERTICES.name, "<vertices>0 0 0  1 0 0  0 1 0</vertices>"),
+            (Some(_), None) => missing(FACETS.name, "<facets>0 1 2</facets>"),
+            _ => StructureProblem::EmptyMesh,
+        };
+        reader.sink.error(element.name_span(), problem);
+        return None;
+    };
+    let positions = coordinates(vertices, &VERTICES, reader.sink);
+    let normals = elements.normals.map_or(Some(Vec::new()), |normals| coordinates(normals, &NORMALS, reader.sink));
+    let facets = indices(facets, positions.as_ref().map(Vec::len), reader.sink);
+    let parts: Vec<Option<Part>> = elements.parts.iter().map(|part| self::part(reader, *part)).collect();
+    Some(MeshGeometry {
+        positions: positions?,
+        normals: normals?,
+        facets: facets?,
+        parts: parts.into_iter().collect::<Option<_>>()?,
+    })
+}
+
+/// A run of facets with a material of its own.
+fn part<'d>(reader: &mut SceneReader<'d, '_, '_>, element: Element<'d>) -> Option<Part> {
+    let fields = Fields::read(element, &PART, Stands::Within, reader.sink);
+    let inline = Contents::read(element, &PART, reader.sink).first().map(|(_, child)| *child);
+    let material = reader.material_of(&fields, inline, &PART)?;
+    let (first, count) = fields.run("facets")?;
+    Some(Part { material, first, count })
+}
+
+/// The triples of an element's numbers. Comments may stand anywhere between them.
+fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) -> Option<Vec<DVec3>> {
+    Contents::none(element, rule, sink);
+    let mut triples = Vec::new();
+    let mut triple = Triple::default();
+    for text in element.texts() {
+        let written = text.written();
+        for number in written.numbers() {
+            let Number { value, span } = sink.keep(number)?;
+            if !(-limits::COORDINATE..=limits::COORDINATE).contains(&value) {
+                let (min, max) = (-limits::COORDINATE, limits::COORDINATE);
+                sink.error(span, Invalid::OutOfRange { field: rule.name, value, min, max });
+                return None;
+            }
+            triples.extend(triple.push(value, span).map(DVec3::from));
+        }
+        triple.decimal_commas(&written, sink)?;
+    }
+    triple.finish(triples.len(), element, sink)?;
+    Some(triples)
+}
+
+/// The vertex numbers of an element by threes. `vertices` is how many there are, if that is known.
+fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d>) -> Option<Vec<[u32; 3]>> {
+    Contents::none(element, &FACETS, sink);
+    let mut facets = Vec::new();
+    let mut triple = Triple::default();
+    let mut faults = 0;
+    for text in element.texts() {
+        let written = text.written();
+        let mut numbers = written.numbers();
+        while let Some(index) = numbers.next_index() {
+            let (vertex, span) = sink.keep(index)?;
+            if let Some(vertices) = vertices.filter(|vertices| vertex as usize >= *vertices) {
+                if faults < FAULTS_OF_A_LIST {
+                    sink.error(span, Invalid::FacetVertex { facet: facets.len(), vertex, vertices });
+                }
+                faults += 1;
+            }
+            facets.extend(triple.push(vertex, span));
+        }
+    }
+    triple.finish(facets.len(), element, sink)?;
+    (faults == 0).then_some(facets)
+}
+
+/// Collects what comes by threes.
+#[derive(Default)]
+struct Triple<T> {
+    values: [T; 3],
+    count: usize,
+    /// Where the numbers that are not yet three stand.
+    span: Span,
+}
+
+impl<T: Copy + Default> Triple<T> {
+    fn push(&mut self, value: T, span: Span) -> Option<[T; 3]> {
+        self.span = if self.count == 0 { span } else { Span { start: self.span.start, end: span.end } };
+        self.values[self.count] = value;
+        self.count = (self.count + 1) % 3;
+        (self.count == 0).then_some(self.values)
+    }
+
+    /// Numbers that do not go by threes because their decimals were written with commas.
+    fn decimal_commas(&self, written: &Written<'_>, sink: &mut Sink<'_>) -> Option<()> {
+        if self.count == 0 {
+            return Some(());
+        }
+        let count = written.numbers().count();
+        let fault = written.miscounted(count, Due::Triples);
+        let commas =
+            matches!(fault.problem, crate::Problem::Xml(super::XmlProblem::Value(ValueProblem::DecimalComma { .. })));
+        if !commas {
+            return Some(());
+        }
+        sink.push(*fault);
+        None
+    }
+
+    /// No numbers may be left over.
+    fn finish(&self, triples: usize, element: Element<'_>, sink: &mut Sink<'_>) -> Option<()> {
+        if self.count == 0 {
+            return Some(());
+        }
+        let span = if self.span.end > self.span.start { self.span } else { element.name_span() };
+        let problem = ValueProblem::NumberCount { found: 3 * triples + self.count, due: Due::Triples };
+        sink.push(Diagnostic::error(span, problem));
+        None
+    }
+}

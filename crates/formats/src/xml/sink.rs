@@ -1,0 +1,58 @@
+//! Where a reader puts what it finds wrong, so that all errors of a document are told at once.
+
+use super::{Document, StructureProblem};
+use crate::{Diagnostic, Lines, Outcome, Problem, Severity, Span};
+use std::cell::OnceCell;
+
+/// No more problems than this are kept: a document can hold millions.
+const MOST: usize = 10_000;
+
+/// The problems found so far.
+#[derive(Debug)]
+pub(super) struct Sink<'d> {
+    document: &'d Document,
+    diagnostics: Vec<Diagnostic>,
+    failed: bool,
+    lines: OnceCell<Lines>,
+}
+
+impl<'d> Sink<'d> {
+    pub(super) fn new(document: &'d Document) -> Sink<'d> {
+        Sink { document, diagnostics: Vec::new(), failed: false, lines: OnceCell::new() }
+    }
+
+    pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+        self.failed |= diagnostic.severity == Severity::Error;
+        if self.diagnostics.len() < MOST {
+            self.diagnostics.push(diagnostic);
+        } else if self.diagnostics.len() == MOST {
+            self.diagnostics.push(Diagnostic::error(None, StructureProblem::TooMany { count: MOST }));
+        }
+    }
+
+    pub(super) fn error(&mut self, span: Span, problem: impl Into<Problem>) {
+        self.push(Diagnostic::error(span, problem));
+    }
+
+    pub(super) fn warning(&mut self, span: Span, problem: impl Into<Problem>) {
+        self.push(Diagnostic::warning(span, problem));
+    }
+
+    /// The value, or `None` and its fault among the problems.
+    pub(super) fn keep<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Option<T> {
+        result.map_err(|fault| self.push(*fault)).ok()
+    }
+
+    /// The line of an offset, from 1.
+    pub(super) fn line(&self, offset: usize) -> usize {
+        let lines = self.lines.get_or_init(|| Lines::new(&self.document.source().text));
+        lines.line(offset)
+    }
+
+    /// The value if no problem is an error, and all problems in the order of the text.
+    pub(super) fn finish<T>(mut self, value: Option<T>) -> Outcome<T> {
+        // What has no place comes last.
+        self.diagnostics.sort_by_key(|diagnostic| diagnostic.span.map_or(usize::MAX, |span| span.start));
+        Outcome { value: value.filter(|_| !self.failed), diagnostics: self.diagnostics }
+    }
+}

@@ -1,0 +1,117 @@
+//! The rules that make a scene or a view legal, as they are told when one is broken.
+
+reports! {
+    /// A number that is not finite.
+    not_finite(field) {
+        "`{field}` is not finite", "here", "every number is finite";
+        "« {field} » n'est pas fini", "ici", "tous les nombres sont finis";
+    }
+    /// A number outside its range.
+    out_of_range(field, value, min, max) {
+        "`{field}` is {value}, outside {min} to {max}", "outside {min} to {max}", "`{field}` lies within {min} and {max}";
+        "« {field} » vaut {value}, hors de l'intervalle de {min} à {max}", "hors de l'intervalle de {min} à {max}",
+        "« {field} » va de {min} à {max}";
+    }
+    /// A number that is not greater than 0, or nearly 0.
+    not_positive(field, value, min) {
+        "`{field}` is {value}, but must be greater than 0", "must be greater than 0", "`{field}` is at least {min}";
+        "« {field} » vaut {value}, mais doit être supérieur à 0", "doit être supérieur à 0",
+        "« {field} » vaut au moins {min}";
+    }
+    /// The points of a plane or a facet lie on one line.
+    collinear() {
+        "the three points lie on one line", "they span no surface",
+        "move one of `p0`, `p1`, `p2` off the line through the others";
+        "les trois points sont alignés", "ils n'engendrent aucune surface",
+        "écartez l'un de « p0 », « p1 », « p2 » de la droite des deux autres";
+    }
+    /// The edges of a box lie in one plane.
+    coplanar() {
+        "the three edges of the box lie in one plane", "it would have no volume",
+        "turn one of `u`, `v`, `w` out of the plane of the others; none may be 0";
+        "les trois arêtes de la boîte sont dans un même plan", "elle n'aurait pas de volume",
+        "tournez l'une de « u », « v », « w » hors du plan des deux autres ; aucune ne peut être nulle";
+    }
+    /// A factor 0.
+    scale_zero() {
+        "a `scale` of 0 would flatten the mesh", "a factor is 0", "1 keeps the size, 2 doubles it, -1 mirrors";
+        "un « scale » de 0 aplatirait le maillage", "un facteur est nul",
+        "1 garde la taille, 2 la double, -1 renverse comme un miroir";
+    }
+    /// A facet that names a vertex that does not exist.
+    facet_vertex(facet, vertex, vertices) {
+        "facet {facet} names vertex {vertex}, which does not exist", "{vertices}",
+        "vertices and facets are counted from 0";
+        "la facette {facet} nomme le sommet {vertex}, qui n'existe pas", "{vertices}",
+        "sommets et facettes sont comptés à partir de 0";
+    }
+    /// Normals that are not one for each vertex.
+    normal_count(normals, vertices) {
+        "there are {normals} normals for {vertices} vertices", "here", "give one normal for each vertex, or none at all";
+        "il y a {normals} normales pour {vertices} sommets", "ici", "donnez une normale par sommet, ou aucune";
+    }
+    /// A part that names no facets of its own.
+    part_range(part, facets) {
+        "part {part} does not name facets of its own", "{facets}",
+        "`facets=\"first count\"`: parts follow one another, do not overlap, and are not empty; facets count from 0";
+        "la partie {part} ne nomme pas de facettes qui lui soient propres", "{facets}",
+        "« facets=\"première nombre\" » : les parties se suivent sans se recouvrir et ne sont pas vides ; la première facette est la 0";
+    }
+    /// A name with white space around it or control characters in it.
+    bad_name() {
+        "this name is not legal", "here",
+        "a name is not empty, does not begin or end with a blank, and holds no control characters";
+        "ce nom est illégal", "ici",
+        "un nom n'est pas vide, ne commence ni ne finit par un blanc, et n'a pas de caractère de contrôle";
+    }
+    /// A name that is taken.
+    name_taken(name) {
+        "the name `{name}` is taken", "here", "choose another name";
+        "le nom « {name} » est déjà pris", "ici", "choisissez un autre nom";
+    }
+    /// A material that does not exist.
+    unknown_material(name) {
+        "there is no material `{name}`", "here", "name a material of the scene";
+        "il n'y a pas de matière « {name} »", "ici", "nommez une matière de la scène";
+    }
+    /// The screen's edges are parallel or zero.
+    screen_collinear() {
+        "the screen has no surface", "its two edges are parallel, or one is 0",
+        "`u` runs along the upper edge, `v` down the left one";
+        "l'écran n'a pas de surface", "ses deux côtés sont parallèles, ou l'un est nul",
+        "« u » suit le bord supérieur, « v » descend le bord gauche";
+    }
+    /// The four corners are no parallelogram.
+    not_parallelogram() {
+        "the four corners are no parallelogram", "here",
+        "they stand in the order bottom left, bottom right, top right, top left; opposite edges are equal";
+        "les quatre coins ne forment pas un parallélogramme", "ici",
+        "dans l'ordre : bas gauche, bas droite, haut droite, haut gauche ; les côtés opposés sont égaux";
+    }
+    /// The eye lies in the screen's plane.
+    eye_in_screen() {
+        "the eye lies in the plane of the screen", "it would see the screen from its edge",
+        "move the eye or the screen: the eye looks through the screen";
+        "l'œil est dans le plan de l'écran", "il verrait l'écran par la tranche",
+        "déplacez l'œil ou l'écran : l'œil regarde à travers l'écran";
+    }
+    /// The eye looks at itself.
+    look_at_is_eye() {
+        "the eye looks at its own place", "here", "look at another point than the eye's own";
+        "l'œil regarde l'endroit où il est", "ici", "regardez un autre point que celui de l'œil";
+    }
+    /// `up` is zero or along the sight.
+    up_along_sight() {
+        "`up` points along the line of sight", "no direction is up then",
+        "choose another `up`, for example `up=\"0 0 1\"` for an eye that looks straight down";
+        "« up » est dans l'axe du regard", "aucune direction n'est alors le haut",
+        "choisissez un autre « up », par exemple « up=\"0 0 1\" » pour un œil qui regarde droit vers le bas";
+    }
+}
+
+phrases! {
+    /// How many vertices there are, and their numbers.
+    vertices_to(vertices, last) { "{vertices}: 0 to {last}", "{vertices} : de 0 à {last}" }
+    /// How many facets there are.
+    facets_of_mesh(facets) { "the mesh has {facets}", "le maillage a {facets}" }
+}
