@@ -2,8 +2,8 @@
 
 use crate::{Command, Item, StepName, decimal, gizmo, naming};
 use lancer_scene::{
-    DVec3, Edit, Invalid, List, ListEdit, Material, MaterialRef, MeshGeometry, Name, NameKind, Object, PointLight, Shape,
-    Stage, View,
+    DVec3, Edit, Invalid, List, ListEdit, Material, MaterialRef, MeshGeometry, Name, NameKind, Object, PointLight,
+    Shape, Stage, View,
 };
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -18,7 +18,11 @@ fn placed<'a>(stage: &Stage, items: impl IntoIterator<Item = &'a Item>) -> Vec<(
 }
 
 /// The name of a step about one thing or several.
-fn about(items: &[(Item, usize)], one: impl FnOnce(Name) -> StepName, many: impl FnOnce(usize) -> StepName) -> StepName {
+fn about(
+    items: &[(Item, usize)],
+    one: impl FnOnce(Name) -> StepName,
+    many: impl FnOnce(usize) -> StepName,
+) -> StepName {
     match items {
         [(item, _)] => one(item.name().cloned().unwrap_or_else(|| Name::from(""))),
         several => many(several.len()),

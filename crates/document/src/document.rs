@@ -1,7 +1,8 @@
 //! The document: the stage, the history, the selection.
 
 use crate::gesture::Gesture;
-use crate::{History, Item, Selection, StepName};
+use crate::insert::{self, NewItem, Standpoint};
+use crate::{Command, History, Item, Selection, StepName, arrange};
 use lancer_scene::{Edit, EditError, Stage};
 
 /// A scene and its views while they are edited.
@@ -60,7 +61,6 @@ impl Document {
         self.commit();
         let (stage, _) = self.stage.apply(edit)?;
         if stage != self.stage {
-            self.follow(edit);
             self.history.push(name, stage.clone());
             self.show(stage);
         }
@@ -128,45 +128,90 @@ impl Document {
     /// Goes to a step of the history; whether it exists.
     pub fn jump(&mut self, step: usize) -> bool {
         self.commit();
+        let before = self.history.current();
         let Some(stage) = self.history.jump(step).cloned() else { return false };
+        // step by step, so that the selection follows every new name on the way
+        let steps = before.min(step)..=before.max(step);
+        let mut way: Vec<&Stage> = steps.filter_map(|step| self.history.stage(step)).collect();
+        if step < before {
+            way.reverse();
+        }
+        for pair in way.windows(2) {
+            let &[from, to] = pair else { continue };
+            self.selection.follow(from, to);
+        }
         self.show(stage);
         true
     }
 
-    fn show(&mut self, stage: Stage) {
-        self.stage = stage;
-        self.revision += 1;
-        self.selection.prune(&self.stage);
+    /// Makes the step of a command and selects what it asks for.
+    ///
+    /// # Errors
+    /// Why its edit cannot be made; the document is then as it was.
+    pub fn run(&mut self, command: Command) -> Result<(), EditError> {
+        self.apply(command.name, &command.edit)?;
+        if let Some(items) = command.select {
+            self.select(|selection| selection.set(items));
+        }
+        Ok(())
     }
 
-    /// Lets the selection follow what an edit renames.
-    fn follow(&mut self, edit: &Edit) {
-        use lancer_scene::ListEdit;
-        let (scene, views) = (&self.stage.scene, &self.stage.views);
-        let renamed = match edit {
-            Edit::Objects(ListEdit::Set { index, item }) => {
-                scene.objects.get(*index).map(|old| (Item::Object(old.name.clone()), Item::Object(item.name.clone())))
-            }
-            Edit::Lights(ListEdit::Set { index, item }) => {
-                scene.lights.get(*index).map(|old| (Item::Light(old.name.clone()), Item::Light(item.name.clone())))
-            }
-            Edit::Materials(ListEdit::Set { index, item }) => scene
-                .materials
-                .get(*index)
-                .map(|old| (Item::Material(old.name.clone()), Item::Material(item.name.clone()))),
-            Edit::Views(ListEdit::Set { index, item }) => {
-                views.get(*index).map(|old| (Item::View(old.name.clone()), Item::View(item.name.clone())))
-            }
-            Edit::Title(_)
-            | Edit::World(_)
-            | Edit::Materials(_)
-            | Edit::Lights(_)
-            | Edit::Objects(_)
-            | Edit::Views(_)
-            | Edit::Batch(_) => None,
-        };
-        if let Some((from, to)) = renamed {
-            self.selection.rename(&from, &to);
-        }
+    /// Adds a thing in front of the active view and selects it.
+    ///
+    /// # Errors
+    /// Why it cannot be added.
+    pub fn add(&mut self, item: NewItem, at: &Standpoint) -> Result<(), EditError> {
+        self.run(insert::added(&self.stage, item, at))
+    }
+
+    /// Deletes what is selected; whether anything was.
+    ///
+    /// # Errors
+    /// Why it cannot be deleted.
+    pub fn delete_selected(&mut self) -> Result<bool, EditError> {
+        self.run_if(arrange::deleted(&self.stage, self.selection.iter()))
+    }
+
+    /// Copies what is selected and selects the copies; whether anything was.
+    ///
+    /// # Errors
+    /// Why it cannot be copied.
+    pub fn duplicate_selected(&mut self) -> Result<bool, EditError> {
+        self.run_if(arrange::duplicated(&self.stage, self.selection.iter()))
+    }
+
+    /// Renames a thing; whether anything changed.
+    ///
+    /// # Errors
+    /// The name is empty or taken.
+    pub fn rename(&mut self, item: &Item, new: &str) -> Result<bool, EditError> {
+        let command = arrange::renamed(&self.stage, item, new)?;
+        self.run_if(command)
+    }
+
+    /// Brings a thing to another place of its list; whether anything changed.
+    ///
+    /// # Errors
+    /// Why it cannot be moved there.
+    pub fn reorder(&mut self, item: &Item, to: usize) -> Result<bool, EditError> {
+        self.run_if(arrange::reordered(&self.stage, item, to))
+    }
+
+    /// Lets what is selected take part in the picture, or not; whether anything changed.
+    ///
+    /// # Errors
+    /// Why it cannot be changed.
+    pub fn show_selected(&mut self, visible: bool) -> Result<bool, EditError> {
+        self.run_if(arrange::shown(&self.stage, self.selection.iter(), visible))
+    }
+
+    fn run_if(&mut self, command: Option<Command>) -> Result<bool, EditError> {
+        command.map_or(Ok(false), |command| self.run(command).map(|()| true))
+    }
+
+    fn show(&mut self, stage: Stage) {
+        self.selection.follow(&self.stage, &stage);
+        self.stage = stage;
+        self.revision += 1;
     }
 }

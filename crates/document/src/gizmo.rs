@@ -136,21 +136,19 @@ pub fn translated_light(light: &PointLight, by: DVec3) -> PointLight {
 }
 
 /// The edit that moves objects and lamps, and the name of its step. Other things do not move; `None` if none does.
-pub fn moved<'a>(
-    stage: &Stage,
-    items: impl IntoIterator<Item = &'a Item>,
-    by: DVec3,
-) -> Option<(StepName, Edit)> {
+pub fn moved<'a>(stage: &Stage, items: impl IntoIterator<Item = &'a Item>, by: DVec3) -> Option<(StepName, Edit)> {
     let (scene, mut edits, mut names) = (&stage.scene, Vec::new(), Vec::new());
     for item in items {
         let Some(index) = item.place(stage) else { continue };
         let edit = match item {
-            Item::Object(_) => scene.objects.get(index).map(|object| {
-                Edit::Objects(ListEdit::Set { index, item: Arc::new(translated(object, by)) })
-            }),
-            Item::Light(_) => scene.lights.get(index).map(|light| {
-                Edit::Lights(ListEdit::Set { index, item: Arc::new(translated_light(light, by)) })
-            }),
+            Item::Object(_) => scene
+                .objects
+                .get(index)
+                .map(|object| Edit::Objects(ListEdit::Set { index, item: Arc::new(translated(object, by)) })),
+            Item::Light(_) => scene
+                .lights
+                .get(index)
+                .map(|light| Edit::Lights(ListEdit::Set { index, item: Arc::new(translated_light(light, by)) })),
             Item::World | Item::Material(_) | Item::View(_) => None,
         };
         if edit.is_some() {

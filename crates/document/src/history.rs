@@ -31,6 +31,11 @@ impl History {
         Some(stage)
     }
 
+    /// The stage after a step.
+    pub fn stage(&self, step: usize) -> Option<&Stage> {
+        self.steps.get(step).map(|(_, stage)| stage)
+    }
+
     /// The names of the steps, the oldest first.
     pub fn names(&self) -> impl ExactSizeIterator<Item = &StepName> {
         self.steps.iter().map(|(name, _)| name)

@@ -3,8 +3,8 @@
 use crate::sight::Sight;
 use crate::{Command, Item, StepName, decimal, focus, naming};
 use lancer_scene::{
-    DVec3, Edit, ListEdit, Material, Mesh, MeshGeometry, Object, Placement, PointLight, Scene, ScreenSpec, Shape, Stage,
-    Steps, Surface, View, limits,
+    DVec3, Edit, ListEdit, Material, Mesh, MeshGeometry, Object, Placement, PointLight, Scene, ScreenSpec, Shape,
+    Stage, Steps, Surface, View, limits,
 };
 use lancer_trace::World;
 use std::sync::Arc;
@@ -119,9 +119,7 @@ pub fn added(stage: &Stage, item: NewItem, at: &Standpoint) -> Command {
             let [p0, p1, p2] = [foot - side, foot + side, foot + DVec3::Y * size].map(|point| at.rounded(point));
             object("facet", Shape::Facet { p0, p1, p2 })
         }
-        NewItem::Cube => {
-            object("cube", Shape::Cube { center: at.above(sunk), edge: size, rotation: DVec3::ZERO })
-        }
+        NewItem::Cube => object("cube", Shape::Cube { center: at.above(sunk), edge: size, rotation: DVec3::ZERO }),
         NewItem::Parallelepiped => {
             let edges = [DVec3::X * size, DVec3::Y * half, DVec3::Z * size];
             let middle = at.above(half / 2.0 - size * SUNK);

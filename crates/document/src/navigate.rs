@@ -105,9 +105,7 @@ pub fn frame(view: &View, center: DVec3, radius: f64) -> View {
             let screen = ScreenSpec::LookAt { look_at: center, up: *up, fov: *fov };
             legal(view, View { eye, screen, ..view.clone() })
         }
-        ScreenSpec::Frame(_) | ScreenSpec::Centered { .. } | ScreenSpec::Corners(_) => {
-            translated(view, eye - view.eye)
-        }
+        ScreenSpec::Frame(_) | ScreenSpec::Centered { .. } | ScreenSpec::Corners(_) => translated(view, eye - view.eye),
     }
 }
 
@@ -195,9 +193,7 @@ fn translated(view: &View, by: DVec3) -> View {
             ScreenSpec::Centered { center: *center + by, size: *size, up: *up }
         }
         ScreenSpec::Corners(corners) => ScreenSpec::Corners(corners.map(|corner| corner + by)),
-        ScreenSpec::LookAt { look_at, up, fov } => {
-            ScreenSpec::LookAt { look_at: *look_at + by, up: *up, fov: *fov }
-        }
+        ScreenSpec::LookAt { look_at, up, fov } => ScreenSpec::LookAt { look_at: *look_at + by, up: *up, fov: *fov },
     };
     legal(view, View { eye: view.eye + by, screen, ..view.clone() })
 }
@@ -253,8 +249,7 @@ fn tidied(view: &View) -> View {
     match &view.screen {
         ScreenSpec::LookAt { look_at, up, fov } => {
             let places = decimal::places((*look_at - view.eye).length() * 1e-5);
-            let screen =
-                ScreenSpec::LookAt { look_at: decimal::rounded_point(*look_at, places), up: *up, fov: *fov };
+            let screen = ScreenSpec::LookAt { look_at: decimal::rounded_point(*look_at, places), up: *up, fov: *fov };
             View { eye: decimal::rounded_point(view.eye, places), screen, ..view.clone() }
         }
         ScreenSpec::Frame(_) | ScreenSpec::Centered { .. } | ScreenSpec::Corners(_) => view.clone(),

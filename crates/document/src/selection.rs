@@ -97,8 +97,40 @@ impl Selection {
         self.0.retain(|item| item.exists(stage));
     }
 
-    /// Follows a new name.
-    pub(crate) fn rename(&mut self, from: &Item, to: &Item) {
-        self.0.iter_mut().filter(|item| **item == *from).for_each(|item| *item = to.clone());
+    /// Follows a change of the stage: what has a new name in the same place stays selected, what is gone does not.
+    pub(crate) fn follow(&mut self, old: &Stage, new: &Stage) {
+        for item in &mut self.0 {
+            if !item.exists(new)
+                && let Some(renamed) = renamed(item, old, new)
+            {
+                *item = renamed;
+            }
+        }
+        self.prune(new);
     }
+}
+
+/// What a thing that is gone is called now: a list of the same length has a name in its place that was not there.
+fn renamed(item: &Item, old: &Stage, new: &Stage) -> Option<Item> {
+    let place = item.place(old)?;
+    let now = match item {
+        Item::World => None,
+        Item::Light(_) => {
+            let same = old.scene.lights.len() == new.scene.lights.len();
+            new.scene.lights.get(place).filter(|_| same).map(|light| Item::Light(light.name.clone()))
+        }
+        Item::Object(_) => {
+            let same = old.scene.objects.len() == new.scene.objects.len();
+            new.scene.objects.get(place).filter(|_| same).map(|object| Item::Object(object.name.clone()))
+        }
+        Item::Material(_) => {
+            let same = old.scene.materials.len() == new.scene.materials.len();
+            new.scene.materials.get(place).filter(|_| same).map(|material| Item::Material(material.name.clone()))
+        }
+        Item::View(_) => {
+            let same = old.views.len() == new.views.len();
+            new.views.get(place).filter(|_| same).map(|view| Item::View(view.name.clone()))
+        }
+    };
+    now.filter(|now| !now.exists(old))
 }

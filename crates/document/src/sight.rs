@@ -71,9 +71,9 @@ pub fn focus(view: &View, scene: &Scene, world: Option<&World>) -> Focus {
         ScreenSpec::LookAt { look_at, .. } => Some((*look_at - sight.eye).length()),
         ScreenSpec::Frame(_) | ScreenSpec::Centered { .. } | ScreenSpec::Corners(_) => depth_of(scene, &sight),
     };
-    let hit = world.zip(Camera::new(view).ok()).and_then(|(world, camera)| {
-        world.pick(&camera.ray(f64::from(view.width) / 2.0, f64::from(view.height) / 2.0))
-    });
+    let hit = world
+        .zip(Camera::new(view).ok())
+        .and_then(|(world, camera)| world.pick(&camera.ray(f64::from(view.width) / 2.0, f64::from(view.height) / 2.0)));
     match hit.filter(|hit| usual.is_none_or(|usual| hit.distance <= HORIZON * usual)) {
         Some(hit) => Focus { point: hit.point, hit: Some(hit) },
         None => {

@@ -21,10 +21,13 @@ const PATCH: i32 = 4;
 /// Half the size of a lamp's star, in pixels.
 const STAR: f64 = 9.0;
 
+/// Lines of space.
+type Lines = Arc<[[DVec3; 2]]>;
+
 /// Lines of meshes that were worked out, kept while their geometry is in use.
 #[derive(Clone, Debug, Default)]
 pub struct Wireframes {
-    meshes: Vec<(Arc<MeshGeometry>, Arc<[[DVec3; 2]]>)>,
+    meshes: Vec<(Arc<MeshGeometry>, Lines)>,
 }
 
 impl Wireframes {
@@ -37,9 +40,7 @@ impl Wireframes {
         match item {
             Item::World => Vec::new(),
             Item::Light(_) => scene.lights.get(place).map_or_else(Vec::new, |light| star(light.position, camera)),
-            Item::Object(_) => {
-                scene.objects.get(place).map_or_else(Vec::new, |object| self.object(object, camera))
-            }
+            Item::Object(_) => scene.objects.get(place).map_or_else(Vec::new, |object| self.object(object, camera)),
             Item::Material(name) => {
                 let users = scene
                     .objects
@@ -73,14 +74,13 @@ impl Wireframes {
         let lines = match known {
             Some((_, lines)) => Arc::clone(lines),
             None => {
-                let lines: Arc<[[DVec3; 2]]> = mesh_lines(&mesh.geometry).into();
+                let lines: Lines = mesh_lines(&mesh.geometry).into();
                 self.meshes.push((Arc::clone(&mesh.geometry), Arc::clone(&lines)));
                 lines
             }
         };
         let (linear, position) = (mesh.placement.linear(), mesh.placement.position);
-        let placed: Vec<[DVec3; 2]> =
-            lines.iter().map(|line| line.map(|point| linear * point + position)).collect();
+        let placed: Vec<[DVec3; 2]> = lines.iter().map(|line| line.map(|point| linear * point + position)).collect();
         segments(&placed, camera)
     }
 }
@@ -100,9 +100,7 @@ fn mesh_lines(geometry: &MeshGeometry) -> Vec<[DVec3; 2]> {
     let edges = geometry.facets.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     edges
         .filter(|&(a, b)| seen.insert((a.min(b), a.max(b))))
-        .filter_map(|(a, b)| {
-            Some([*geometry.positions.get(a as usize)?, *geometry.positions.get(b as usize)?])
-        })
+        .filter_map(|(a, b)| Some([*geometry.positions.get(a as usize)?, *geometry.positions.get(b as usize)?]))
         .collect()
 }
 
@@ -225,7 +223,14 @@ pub fn grid(camera: &Camera, vertical: DVec3, focus: DVec3) -> Grid {
     }
     let axes = Axis::ALL.map(|axis| {
         let along = axis.direction();
-        let middle = if along == vertical { 0.0 } else { if axis == Axis::X { across } else { deep } as f64 * step };
+        let tens = if along == vertical {
+            0
+        } else if axis == Axis::X {
+            across
+        } else {
+            deep
+        };
+        let middle = tens as f64 * step;
         segments(&[[along * (middle - reach), along * (middle + reach)]], camera)
     });
     Grid { minor, major, axes, step }
