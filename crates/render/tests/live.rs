@@ -6,7 +6,7 @@ use lancer_render::{RenderOptions, render_still};
 use lancer_scene::{
     DVec3, Environment, List, MaterialRef, Object, PointLight, Rgb, Scene, ScreenSpec, Shape, Steps, Surface, View,
 };
-use lancer_trace::{Cancel, Settings, World};
+use lancer_trace::{Camera, Cancel, Settings, World};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -162,4 +162,18 @@ fn a_pixel_without_a_colour_is_named() {
     assert_eq!(session.image().bytes()[(y * 32 + x) as usize], [255, 0, 255]);
     let before = &session.image().bytes()[..(y * 32 + x) as usize];
     assert!(before.iter().all(|pixel| *pixel != [255, 0, 255]), "the first in row order");
+}
+
+/// The compiled scene comes with the picture, so that a window can pick in it without compiling it again.
+#[test]
+fn a_session_lends_its_world_for_picking() {
+    let mut renderer = Renderer::new(None, || {});
+    let mut session = renderer.open();
+    assert!(session.world().is_none());
+    session.start(job(scene(0.1), view(64, 48)));
+    until(&mut session, Session::is_finished);
+    let camera = Camera::new(&view(64, 48)).unwrap();
+    let picked = session.world().unwrap().pick(&camera.ray(40.0, 26.0)).unwrap();
+    assert_eq!(&*picked.object, "mirror");
+    assert!((picked.normal.length() - 1.0).abs() < 1e-12 && picked.normal.z > 0.0, "{picked:?}");
 }

@@ -58,6 +58,8 @@ pub(super) enum Order {
 pub(super) enum Message {
     /// A unit is done.
     Unit { generation: u64, unit: Unit, colors: Vec<[u8; 3]>, counts: RayCounts, fault: Option<(u32, u32, TraceError)> },
+    /// The scene is compiled.
+    Compiled { world: Arc<World> },
     /// The view cannot be rendered.
     Refused { generation: u64, rule: Invalid },
 }
@@ -198,6 +200,8 @@ fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
             let settings = Settings { max_rays, ..Settings::of(&world, &view) };
             let mut state = desk.lock();
             let Some(place) = state.place(session) else { continue };
+            // a session that is gone wants no news
+            let _ = state.seats[place].results.send(Message::Compiled { world: Arc::clone(&world) });
             match camera {
                 Err(rule) => {
                     // a session that is gone wants no news

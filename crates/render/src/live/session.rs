@@ -4,7 +4,8 @@ use super::LiveImage;
 use super::pool::{Job, Message, Order};
 use crate::Region;
 use lancer_scene::Invalid;
-use lancer_trace::{Cancel, RayCounts, TraceError};
+use lancer_trace::{Cancel, RayCounts, TraceError, World};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::{Duration, Instant};
 
@@ -17,6 +18,7 @@ pub struct Session {
     generation: u64,
     cancel: Cancel,
     image: LiveImage,
+    world: Option<Arc<World>>,
     status: Status,
     begun: Option<Instant>,
 }
@@ -47,6 +49,7 @@ impl Session {
             generation: 0,
             cancel: Cancel::default(),
             image: LiveImage::default(),
+            world: None,
             status: Status::default(),
             begun: None,
         }
@@ -98,6 +101,8 @@ impl Session {
                     }
                     changed = true;
                 }
+                // also of an earlier generation: the newest one there is
+                Message::Compiled { world } => self.world = Some(world),
                 Message::Refused { generation, rule } if generation == self.generation => {
                     self.status.refused = Some(rule);
                     changed = true;
@@ -112,6 +117,12 @@ impl Session {
     /// The picture as it is.
     pub fn image(&self) -> &LiveImage {
         &self.image
+    }
+
+    /// The scene that was compiled last for this session, to pick in: of the current job, or of an earlier one while
+    /// that is not compiled yet; `None` before the first.
+    pub fn world(&self) -> Option<&Arc<World>> {
+        self.world.as_ref()
     }
 
     /// How far it is.
