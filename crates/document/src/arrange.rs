@@ -49,8 +49,9 @@ pub fn deleted<'a>(stage: &Stage, items: impl IntoIterator<Item = &'a Item>) -> 
             edits.push(Edit::Objects(ListEdit::Set { index, item }));
         }
     }
-    // from the end, so that the places before stay true
-    for (item, index) in items.iter().rev() {
+    // from the end, so that the places before stay true; materials when the objects are gone that have them
+    let (last, first): (Vec<_>, Vec<_>) = items.iter().rev().partition(|(item, _)| matches!(item, Item::Material(_)));
+    for (item, index) in first.into_iter().chain(last) {
         let index = *index;
         edits.push(match item {
             Item::World => continue,

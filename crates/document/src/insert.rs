@@ -63,6 +63,8 @@ impl Default for Standpoint {
     }
 }
 
+/// The greatest coordinate of a standpoint: what stands there is still within the range of coordinates.
+const FARTHEST: f64 = limits::COORDINATE / 10.0;
 /// A new thing takes this part of the picture's height.
 const PART_OF_HEIGHT: f64 = 0.2;
 
@@ -74,10 +76,14 @@ impl Standpoint {
         let focus = focus(view, scene, world);
         let Some(sight) = Sight::of(view) else { return Standpoint::default() };
         let (width, height) = sight.extent(focus.point).unwrap_or((1.0, 1.0));
-        let size = decimal::round_length(PART_OF_HEIGHT * width.min(height)).clamp(limits::LEAST * 1e3, 1e6);
+        let limit = DVec3::splat(FARTHEST);
+        let point = focus.point.clamp(-limit, limit);
+        // far out, what is smaller than this has no shape of its own in f64
+        let least = (point.abs().max_element() * 1e-6).max(limits::LEAST * 1e3);
+        let size = decimal::round_length((PART_OF_HEIGHT * width.min(height)).clamp(least, FARTHEST / 10.0));
         let right = DVec3::new(sight.right.x, 0.0, sight.right.z).normalize_or(DVec3::X);
         Standpoint {
-            point: decimal::rounded_point(focus.point, decimal::places(size) + 2),
+            point: decimal::rounded_point(point, decimal::places(size) + 2),
             normal: focus.hit.map_or(DVec3::Y, |hit| hit.normal),
             right: decimal::rounded_point(right, 3).normalize_or(DVec3::X),
             size,
@@ -191,9 +197,11 @@ pub(crate) fn overview(scene: &Scene) -> View {
     let bounds = scene.objects.iter().filter_map(|object| object.shape.bounds());
     let hull = bounds.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
     let (low, high) = hull.unwrap_or((DVec3::splat(-1.0), DVec3::ONE));
-    let size = decimal::round_length((high - low).length().clamp(1e-6, 1e8));
-    let limit = DVec3::splat(limits::COORDINATE / 2.0);
-    let target = decimal::rounded_point((low + high) * 0.5, decimal::places(size) + 2).clamp(-limit, limit);
+    let limit = DVec3::splat(FARTHEST);
+    let middle = ((low + high) * 0.5).clamp(-limit, limit);
+    let least = (middle.abs().max_element() * 1e-6).max(limits::LEAST * 1e3);
+    let size = decimal::round_length((high - low).length().clamp(least, FARTHEST));
+    let target = decimal::rounded_point(middle, decimal::places(size) + 2);
     View {
         name: "view 1".into(),
         width: 640,

@@ -9,7 +9,7 @@
 //! ```
 //! Angles of `sin`, `cos`, `tan` and their inverses are in degrees, as in the documents.
 
-use lancer_words::{Lang, arithmetic as words};
+use lancer_words::{Lang, arithmetic as words, xml::value};
 
 /// Why a text is no number.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -58,7 +58,8 @@ impl NumberError {
             NumberError::Empty => words::empty(lang),
             NumberError::Unexpected { found, at } => words::unexpected(lang, found, at),
             NumberError::Unfinished => words::unfinished(lang),
-            NumberError::DecimalComma { suggestion } => words::decimal_comma(lang, suggestion),
+            // the same hint as in documents
+            NumberError::DecimalComma { suggestion } => value::decimal_comma(lang, "", suggestion).label,
             NumberError::UnknownWord { word } => words::unknown_word(lang, word, KNOWN),
             NumberError::Unclosed => words::unclosed(lang),
             NumberError::TooDeep => words::too_deep(lang),

@@ -9,8 +9,6 @@ phrases! {
     }
     /// The text ends too early.
     unfinished() { "something is missing at the end", "il manque quelque chose à la fin" }
-    /// A comma for a point.
-    decimal_comma(suggestion) { "decimal comma? write `{suggestion}`", "virgule décimale ? écrivez « {suggestion} »" }
     /// An unknown word.
     unknown_word(word, known) {
         "`{word}` is not known; known: {known}", "« {word} » est inconnu ; sont connus : {known}"
