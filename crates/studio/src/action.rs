@@ -2,7 +2,10 @@
 //! place.
 
 use crate::toasts::Toast;
-use lancer_document::{Item, Selection, StepName};
+use lancer_document::insert::NewItem;
+use lancer_document::navigate::Side;
+use lancer_document::{Command, Item, Selection, StepName};
+use egui_tiles::LinearDir;
 use lancer_formats::picture::Format;
 use lancer_render::Region;
 use lancer_scene::{Edit, Name};
@@ -13,6 +16,10 @@ use std::path::PathBuf;
 pub enum Action {
     /// One edit, one step.
     Apply(StepName, Edit),
+    /// One step as the document's functions make it, and what is selected after it.
+    Run(Command),
+    /// Adds something in front of the active view.
+    Add(NewItem),
     /// A drag begins: everything previewed until [`Action::Commit`] is one step.
     Begin(StepName),
     /// What the drag has come to: an edit of the stage before the drag (`Document::base`).
@@ -88,8 +95,14 @@ pub enum ViewAction {
     Detach,
     /// Brings it back into the main window.
     Attach,
+    /// Shows a copy of it beside or below it.
+    Split(LinearDir),
     /// The pane is the one that is worked in.
     Focus,
+    /// The pane after it is the one that is worked in.
+    FocusNext,
+    /// Looks along an axis.
+    Look(Side),
     /// Rests or goes on.
     Pause(bool),
     /// The picture has the size of the view, or is made to fit the pane.

@@ -7,11 +7,13 @@
 pub mod action;
 pub mod chrome;
 pub mod context;
+pub mod fields;
 pub mod panels;
 pub mod report;
 pub mod swatches;
 pub mod theme;
 pub mod toasts;
+pub mod widgets;
 
 pub use action::{Action, FileAction, Tab, ViewAction, WindowAction};
 pub use context::Context;

@@ -38,6 +38,8 @@ pub struct Palette {
     pub error: Color32,
     /// Success.
     pub success: Color32,
+    /// The ground grid over a picture.
+    pub grid: Color32,
     /// The axes x, y, z; letters stand beside them.
     pub axes: [Color32; 3],
 }
@@ -68,7 +70,8 @@ impl Palette {
         warning: rgb(0xe8_b0_4c),
         error: rgb(0xf0_7a_70),
         success: rgb(0x74_c6_8c),
-        axes: [rgb(0xe8_6a_6a), rgb(0x7c_c4_62), rgb(0x6a_a0_f0)],
+        grid: Color32::from_white_alpha(90),
+        axes: [rgb(0xf0_7a_7a), rgb(0x8c_d0_70), rgb(0x7a_b0_f8)],
     };
 
     /// The light theme.
@@ -88,8 +91,14 @@ impl Palette {
         warning: rgb(0x8f_5c_00),
         error: rgb(0xb3_2a_20),
         success: rgb(0x1f_74_3c),
-        axes: [rgb(0xc2_36_36), rgb(0x3f_84_2a), rgb(0x2f_62_c0)],
+        grid: Color32::from_white_alpha(90),
+        axes: [rgb(0xf0_7a_7a), rgb(0x8c_d0_70), rgb(0x7a_b0_f8)],
     };
+
+    /// The colour of an outline over a picture, the same in both themes: of what was selected last, or of the others.
+    pub fn outline(&self, primary: bool) -> Color32 {
+        if primary { rgb(0xff_b3_3c) } else { rgb(0xe0_8c_30) }
+    }
 
     /// The colours of a theme.
     pub const fn of(theme: Theme) -> &'static Palette {

@@ -1,10 +1,15 @@
 //! A view while it is shown: its session, and the picture of it on the graphics card.
 
+use super::{Answer, Gesture};
 use egui::{ColorImage, TextureHandle, TextureOptions};
 use lancer_render::Region;
 use lancer_render::live::{Job, Session};
 use lancer_scene::{Scene, Stage, View};
 use lancer_trace::Settings;
+use std::time::{Duration, Instant};
+
+/// A picture that is older than this says so; a change that is seen sooner would only flicker.
+const OLD: Duration = Duration::from_millis(150);
 
 /// A view while it is shown.
 #[derive(Debug)]
@@ -23,6 +28,15 @@ pub struct LiveView {
     pub grid: bool,
     /// The rectangle that is refined first, in pixels of the picture.
     region: Option<Region>,
+    /// What the pointer does in the pane.
+    pub gesture: Option<Gesture>,
+    /// The next drag marks a rectangle.
+    pub marking: bool,
+    /// What stands under the pointer, as far as it was asked.
+    pub under: Option<Answer>,
+    started: Instant,
+    /// Some picture was complete before.
+    complete: bool,
 }
 
 impl LiveView {
@@ -37,6 +51,11 @@ impl LiveView {
             fit: true,
             grid: false,
             region: None,
+            gesture: None,
+            marking: false,
+            under: None,
+            started: Instant::now(),
+            complete: false,
         }
     }
 
@@ -86,6 +105,7 @@ impl LiveView {
         self.session.start(Job { scene: scene.clone(), view: view.clone(), max_rays: Settings::MAX_RAYS });
         self.rendered = Some((scene, view));
         self.outdated = true;
+        self.started = Instant::now();
     }
 
     /// The view at the size of its picture; `None` while the pane's size is not known.
@@ -122,18 +142,28 @@ impl LiveView {
     pub fn poll(&mut self) -> bool {
         let changed = self.session.poll();
         self.outdated |= changed;
+        self.complete |= !self.session.image().bytes().is_empty() && !self.session.image().is_stale();
         changed
     }
 
-    /// The picture on the graphics card, brought up to date; `None` before there is one. `exact` pictures are shown
-    /// pixel by pixel, others smoothed.
-    pub fn texture(&mut self, ctx: &egui::Context, exact: bool) -> Option<&TextureHandle> {
+    /// Whether an earlier picture is still seen.
+    pub fn looks_old(&self) -> bool {
+        self.complete && self.session.image().is_stale() && self.started.elapsed() > OLD
+    }
+
+    /// The size of the picture in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.session.image().width(), self.session.image().height()]
+    }
+
+    /// The picture on the graphics card, brought up to date; `None` before there is one. Pixels that are larger than
+    /// the screen's stay squares, smaller ones are smoothed.
+    pub fn texture(&mut self, ctx: &egui::Context) -> Option<&TextureHandle> {
         let image = self.session.image();
         if image.bytes().is_empty() {
             return None;
         }
-        let magnification = if exact { egui::TextureFilter::Nearest } else { egui::TextureFilter::Linear };
-        let options = TextureOptions { magnification, ..TextureOptions::LINEAR };
+        let options = TextureOptions { magnification: egui::TextureFilter::Nearest, ..TextureOptions::LINEAR };
         if self.outdated || self.texture.is_none() {
             self.outdated = false;
             let size = [image.width() as usize, image.height() as usize];

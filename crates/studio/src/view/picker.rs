@@ -1,6 +1,6 @@
-//! What stands under the pointer: asked of a thread that keeps a compiled world, so that the window traces no ray.
+//! What stands under the pointer: asked of a thread, so that the window traces no ray.
 
-use lancer_scene::{Name, Scene, View};
+use lancer_scene::{Name, View};
 use lancer_trace::{Camera, Picked, World};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -17,32 +17,31 @@ pub enum Purpose {
     },
 }
 
-struct Question {
-    scene: Scene,
-    view: View,
-    point: [f64; 2],
-    purpose: Purpose,
-}
-
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The view's name.
     pub view: Name,
-    /// The point of the picture, in pixels from the top left.
-    pub point: [f64; 2],
+    /// The point of the picture, in pixels of the view from the top left.
+    pub point: (f64, f64),
     /// Why it was asked.
     pub purpose: Purpose,
     /// What the ray meets.
     pub picked: Option<Picked>,
 }
 
+struct Question {
+    world: Arc<World>,
+    view: Arc<View>,
+    point: (f64, f64),
+    purpose: Purpose,
+}
+
 /// The thread that answers.
 #[derive(Debug)]
 pub struct Picker {
     questions: Sender<Question>,
-    answers: Receiver<(Answer, Scene, Arc<World>)>,
-    world: Option<(Scene, Arc<World>)>,
+    answers: Receiver<Answer>,
 }
 
 impl Picker {
@@ -51,58 +50,34 @@ impl Picker {
         let (questions, inbox) = channel::<Question>();
         let (results, answers) = channel();
         std::thread::spawn(move || {
-            let mut world: Option<(Scene, Arc<World>)> = None;
             while let Ok(first) = inbox.recv() {
-                let mut waiting: Vec<Question> = std::iter::once(first).chain(inbox.try_iter()).collect();
+                let waiting: Vec<Question> = std::iter::once(first).chain(inbox.try_iter()).collect();
                 let last = waiting.len() - 1;
-                let mut place = 0;
-                waiting.retain(|question| {
-                    place += 1;
-                    question.purpose != Purpose::Hover || place - 1 == last
-                });
-                for question in waiting {
-                    let compiled = match world.take() {
-                        Some((scene, compiled)) if shares(&scene, &question.scene) => compiled,
-                        Some(_) | None => Arc::new(World::compile(&question.scene)),
-                    };
-                    world = Some((question.scene.clone(), Arc::clone(&compiled)));
-                    let [x, y] = question.point;
-                    let picked = Camera::new(&question.view).ok().and_then(|camera| compiled.pick(&camera.ray(x, y)));
-                    let (view, purpose) = (question.view.name.clone(), question.purpose);
-                    let answer = Answer { view, point: question.point, purpose, picked };
-                    if results.send((answer, question.scene, compiled)).is_err() {
+                for (place, Question { world, view, point, purpose }) in waiting.into_iter().enumerate() {
+                    if purpose == Purpose::Hover && place != last {
+                        continue;
+                    }
+                    let picked =
+                        Camera::new(&view).ok().and_then(|camera| world.pick(&camera.ray(point.0, point.1)));
+                    if results.send(Answer { view: view.name.clone(), point, purpose, picked }).is_err() {
                         return;
                     }
                 }
                 ctx.request_repaint();
             }
         });
-        Picker { questions, answers, world: None }
+        Picker { questions, answers }
     }
 
-    /// Asks what stands at a point of a picture, in pixels from the top left.
-    pub fn ask(&self, scene: &Scene, view: &View, point: [f64; 2], purpose: Purpose) {
+    /// Asks what stands at a point of a picture, in pixels of the view from the top left.
+    pub fn ask(&self, world: &Arc<World>, view: &Arc<View>, point: (f64, f64), purpose: Purpose) {
+        let question = Question { world: Arc::clone(world), view: Arc::clone(view), point, purpose };
         // the thread lives as long as this
-        let _ = self.questions.send(Question { scene: scene.clone(), view: view.clone(), point, purpose });
+        let _ = self.questions.send(question);
     }
 
     /// What was answered since the last call.
-    pub fn answers(&mut self) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        for (answer, scene, world) in self.answers.try_iter() {
-            self.world = Some((scene, world));
-            answers.push(answer);
-        }
-        answers
+    pub fn answers(&self) -> impl Iterator<Item = Answer> {
+        self.answers.try_iter()
     }
-
-    /// The compiled world of a scene, if it was asked about last.
-    pub fn world(&self, scene: &Scene) -> Option<&World> {
-        self.world.as_ref().filter(|(known, _)| shares(known, scene)).map(|(_, world)| &**world)
-    }
-}
-
-/// Whether the same objects are seen in both.
-fn shares(a: &Scene, b: &Scene) -> bool {
-    a.objects.same_items(&b.objects)
 }

@@ -65,6 +65,66 @@ phrases! {
     /// An edit is not possible.
     refused(rule) { "Not possible: {rule}.", "Impossible : {rule}." }
 
+    /// Goes to the folder that holds this one.
+    folder_above() { "Folder above", "Dossier parent" }
+    /// A folder has no file of that kind.
+    folder_empty() { "No such files here", "Aucun fichier de ce type ici" }
+    /// A folder cannot be listed, or a file is not there.
+    folder_unreadable(cause) { "Not found or not readable: {cause}", "Introuvable ou illisible : {cause}" }
+    /// The field of a file's name.
+    file_name() { "File name", "Nom du fichier" }
+    /// Every kind of file.
+    all_files() { "All files", "Tous les fichiers" }
+    /// Scenes of every format.
+    scenes() { "Scenes", "Scènes" }
+    /// Scenes in XML.
+    xml_scenes() { "Scenes in XML", "Scènes XML" }
+    /// Binary scenes.
+    binary_scenes() { "Binary scenes", "Scènes binaires" }
+    /// Documents of views.
+    view_documents() { "Views", "Vues" }
+    /// Meshes.
+    meshes() { "Meshes", "Maillages" }
+    /// Pictures.
+    pictures() { "Pictures", "Images" }
+    /// Texts.
+    texts() { "Texts", "Textes" }
+    /// Opens.
+    open() { "Open", "Ouvrir" }
+    /// Saves.
+    save() { "Save", "Enregistrer" }
+    /// Replaces a file.
+    replace() { "Replace", "Remplacer" }
+    /// A file would be replaced.
+    replaces(name) {
+        "{name} exists: press Replace to replace it.",
+        "{name} existe déjà : appuyez sur Remplacer pour le remplacer.",
+    }
+    /// The title of a dialog.
+    open_title() { "Open a scene", "Ouvrir une scène" }
+    /// The title of a dialog.
+    save_title() { "Save the scene", "Enregistrer la scène" }
+    /// The title of a dialog.
+    load_views_title() { "Load views", "Charger des vues" }
+    /// The title of a dialog.
+    save_views_title() { "Save the views", "Enregistrer les vues" }
+    /// The title of a dialog.
+    save_picture_title(view) { "Save the picture of {view}", "Enregistrer l'image de {view}" }
+    /// The title of a dialog.
+    add_mesh_title() { "Add a mesh from a file", "Ajouter un maillage depuis un fichier" }
+    /// The title of a dialog.
+    save_text_title() { "Save the text", "Enregistrer le texte" }
+    /// A thing is gone.
+    no_such_item() { "it is not there any more", "l'élément n'existe plus" }
+    /// A material is in use.
+    material_in_use(name, user) {
+        "the material {name} is used by {user}",
+        "la matière {name} est utilisée par {user}",
+    }
+    /// The rays and the time of all views.
+    totals(rays, time) { "{rays} rays · {time}", "{rays} rayons · {time}" }
+    /// Pictures are being computed.
+    rendering(views) { "rendering {views}", "calcul de {views}" }
     /// Files may be dropped.
     drop_here() { "Drop a scene, a document of views or a mesh", "Déposez une scène, un document de vues ou un maillage" }
 

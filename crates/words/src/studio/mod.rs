@@ -2,4 +2,5 @@
 
 pub mod app;
 pub mod menu;
+pub mod panels;
 pub mod view;
