@@ -156,9 +156,9 @@ fn each_side_shows_the_axes_as_drawings_do() {
             let side = look_along(&view, DVec3::Y, point, side);
             let (x, y) = pixel(&side, point);
             assert!((x - 320.0).abs() < 0.01 && (y - 240.0).abs() < 0.01, "the pivot comes to the middle");
-            let (right, up) = (Camera::new(&side).unwrap(), Camera::new(&side).unwrap());
-            let dx = |to: DVec3| right.project(point + to).unwrap().0 - x;
-            let dy = |to: DVec3| y - up.project(point + to).unwrap().1;
+            let camera = Camera::new(&side).unwrap();
+            let dx = |to: DVec3| camera.project(point + to).unwrap().0 - x;
+            let dy = |to: DVec3| y - camera.project(point + to).unwrap().1;
             let axis = |f: &dyn Fn(DVec3) -> f64| {
                 let along = [DVec3::X, DVec3::Y, DVec3::Z].map(f);
                 along.map(|value| if value.abs() < 0.5 { 0 } else { value.signum() as i32 })

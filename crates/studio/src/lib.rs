@@ -5,15 +5,30 @@
 //! waits for one.
 
 pub mod action;
+pub mod app;
+mod bars;
 pub mod chrome;
 pub mod context;
+pub mod dialogs;
+pub mod entry;
+mod export;
 pub mod fields;
+mod files;
+pub mod layout;
+mod modals;
 pub mod panels;
+mod perform;
 pub mod report;
+pub mod settings;
 pub mod swatches;
 pub mod theme;
+mod tiles;
 pub mod toasts;
+pub mod told;
+pub mod view;
+pub mod welcome;
 pub mod widgets;
 
 pub use action::{Action, FileAction, Tab, ViewAction, WindowAction};
+pub use app::{Start, Studio};
 pub use context::Context;

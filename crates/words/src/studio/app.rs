@@ -58,6 +58,17 @@ phrases! {
     unreadable(name, cause) { "{name} cannot be read: {cause}", "{name} ne peut pas être lu : {cause}" }
     /// Something was saved.
     written(name) { "{name} is saved.", "{name} est enregistré." }
+    /// A picture is rendered for a file.
+    exporting(name) { "Rendering {name}", "Calcul de {name}" }
+    /// A picture cannot be rendered.
+    cannot_export(cause) { "The picture cannot be rendered: {cause}.", "L'image ne peut pas être calculée : {cause}." }
+    /// There is no memory.
+    no_memory(width, height) {
+        "there is no memory for {width}×{height} pixels",
+        "la mémoire ne suffit pas pour {width}×{height} pixels",
+    }
+    /// There are no threads.
+    no_threads(reason) { "no threads can be started ({reason})", "aucun fil d'exécution ne peut démarrer ({reason})" }
     /// Views were loaded.
     views_loaded(name, views) { "{name}: {views}.", "{name} : {views}." }
     /// Something was put on the clipboard.

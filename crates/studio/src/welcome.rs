@@ -1,0 +1,36 @@
+//! What the first start shows: a still life with two views of it, held in the program itself.
+
+use lancer_formats::mesh::{MeshFault, MeshFile, MeshFiles, MeshProblem};
+use lancer_formats::xml::{Document, read_scene, read_views};
+use lancer_scene::Stage;
+
+const SCENE: &str = include_str!("../../../scenes/first/first.xml");
+const VIEWS: &str = include_str!("../../../scenes/first/first.view.xml");
+
+/// The scene names no mesh file.
+struct NoFiles;
+
+impl MeshFiles for NoFiles {
+    fn read(&mut self, path: &str) -> Result<MeshFile, MeshProblem> {
+        Err(MeshProblem { file: path.into(), line: None, fault: MeshFault::Missing })
+    }
+}
+
+/// The scene of the first start.
+pub fn stage() -> Stage {
+    let document = |name: &str, text: &str| Document::read(name, text.as_bytes()).ok();
+    let scene = document("first.xml", SCENE).and_then(|document| read_scene(&document, &mut NoFiles).value);
+    let views = document("first.view.xml", VIEWS).and_then(|document| read_views(&document).value);
+    Stage { scene: scene.unwrap_or_default(), views: views.unwrap_or_default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_scene_has_objects_and_two_views() {
+        let stage = stage();
+        assert!(stage.scene.objects.len() > 5 && stage.scene.lights.len() == 2 && stage.views.len() == 2);
+    }
+}
