@@ -6,6 +6,7 @@ pub mod outliner;
 pub mod problems;
 pub mod properties;
 pub mod text;
+pub mod view;
 pub mod xml;
 
 use lancer_formats::Describe;
