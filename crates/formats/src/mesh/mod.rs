@@ -123,8 +123,8 @@ impl Input<'_> {
     /// The name of a file beside this one, as the document would name it.
     fn name_beside(&self, path: &str) -> Arc<str> {
         match self.file.rsplit_once('/') {
-            Some((folder, _)) => format!("{folder}/{path}").into(),
-            None => path.into(),
+            Some((folder, _)) if !path.starts_with('/') => format!("{folder}/{path}").into(),
+            _ => path.into(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What can be wrong with a mesh file.
 
 use crate::Describe;
-use lancer_words::{Lang, mesh as words};
+use lancer_words::{Lang, file, mesh as words};
 use std::sync::Arc;
 
 /// What is wrong with a mesh file. It is told at the place in the document that names the file.
@@ -22,6 +22,10 @@ pub enum MeshFault {
     Missing,
     /// The system refuses to read it; its own words.
     Unreadable(String),
+    /// The user must not read it.
+    Forbidden,
+    /// There is no memory for it.
+    NoMemory,
     /// It is a folder, a pipe or a device.
     NotAFile,
     /// It lies outside the document's folder.
@@ -117,6 +121,8 @@ impl Describe for MeshProblem {
         match self.fault {
             MeshFault::Missing => "mesh::missing",
             MeshFault::Unreadable(_) => "mesh::unreadable",
+            MeshFault::Forbidden => "mesh::forbidden",
+            MeshFault::NoMemory => "mesh::no-memory",
             MeshFault::NotAFile => "mesh::not-a-file",
             MeshFault::Outside => "mesh::outside",
             MeshFault::TooLarge { .. } => "mesh::too-large",
@@ -150,6 +156,8 @@ impl Describe for MeshProblem {
         let fault = match &self.fault {
             MeshFault::Missing => words::missing(lang),
             MeshFault::Unreadable(cause) => words::unreadable(lang, cause),
+            MeshFault::Forbidden => words::unreadable(lang, file::forbidden(lang)),
+            MeshFault::NoMemory => words::unreadable(lang, file::no_memory(lang)),
             MeshFault::NotAFile => words::not_a_file(lang),
             MeshFault::Outside => words::outside(lang),
             MeshFault::TooLarge { most } => words::too_large(lang, most >> 20),
@@ -201,6 +209,8 @@ impl Describe for MeshProblem {
             MeshFault::TexturesLeftOut => Some(words::textures_left_out_help(lang)),
             MeshFault::TooManyCorners { .. } => Some(words::too_many_corners_help(lang)),
             MeshFault::Unreadable(_)
+            | MeshFault::Forbidden
+            | MeshFault::NoMemory
             | MeshFault::TooLarge { .. }
             | MeshFault::TooMuchMemory { .. }
             | MeshFault::NotANumber(_)
