@@ -125,12 +125,8 @@ impl Describe for Finding {
             Finding::PlaneThroughEye { .. } => words::plane_through_eye_help(lang),
             Finding::MirroredView { .. } => words::mirrored_view_help(lang),
             Finding::PixelsNotSquare { .. } => words::pixels_not_square_help(lang),
-            Finding::DepthTooSmall { enough, bounce: Bounce::Reflection, .. } => {
-                words::depth_too_small_help(lang, enough)
-            }
-            Finding::DepthTooSmall { enough, bounce: Bounce::Transparency, .. } => {
-                words::glass_depth_help(lang, enough)
-            }
+            Finding::DepthTooSmall { enough: 2.., bounce: Bounce::Transparency, .. } => words::glass_depth_help(lang),
+            Finding::DepthTooSmall { enough, .. } => words::depth_too_small_help(lang, enough),
             Finding::FacingMirrors { enough, .. } => words::facing_mirrors_help(lang, enough),
             Finding::HiddenBehindPlane { .. } => words::hidden_behind_plane_help(lang),
             Finding::CoincidentFaces { .. } => words::coincident_faces_help(lang),

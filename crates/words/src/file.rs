@@ -1,6 +1,34 @@
-//! What is said of files that cannot be opened or written.
+//! What is said of files that cannot be read or written.
 
 phrases! {
+    /// A file that cannot be read, and why.
+    cannot_read(path, cause) {
+        "`{path}` cannot be read: {cause}",
+        "impossible de lire « {path} » : {cause}",
+    }
+    /// Standard input cannot be read.
+    cannot_read_standard(cause) {
+        "standard input cannot be read: {cause}",
+        "impossible de lire l'entrée standard : {cause}",
+    }
+    /// There is no such file.
+    missing() { "there is no such file", "ce fichier n'existe pas" }
+    /// What to do about it.
+    missing_help() { "check the name and the folder", "vérifiez le nom et le dossier" }
+    /// A pipe or a device.
+    not_a_file() { "it is no regular file", "ce n'est pas un fichier ordinaire" }
+    /// What to do instead.
+    not_a_file_help() {
+        "name a file, or send its content to standard input and name `-`",
+        "nommez un fichier, ou envoyez son contenu sur l'entrée standard et nommez « - »",
+    }
+    /// The user must not read it.
+    forbidden() { "you have no permission to read it", "vous n'avez pas le droit de le lire" }
+    /// The file has too many bytes.
+    larger_than(most) { "it is larger than {most} MiB", "il dépasse {most} Mio" }
+    /// There is no memory.
+    no_memory() { "there is not enough memory", "la mémoire ne suffit pas" }
+
     /// A file that cannot be written, and why.
     cannot_write(path, cause) {
         "`{path}` cannot be written: {cause}",

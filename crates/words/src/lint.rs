@@ -26,8 +26,8 @@ phrases! {
         "tous les objets sont masqués : l'image ne montre que le fond",
     }
     show_one_help() {
-        "take `visible=\"false\"` off one of them",
-        "ôtez « visible=\"false\" » à l'un d'eux",
+        "take one `visible=\"false\"` off",
+        "ôtez un « visible=\"false\" »",
     }
     dark_lamp(lamp) {
         "the lamp `{lamp}` is black and gives no light",
@@ -129,9 +129,9 @@ phrases! {
         "set `depth` to {enough} or more",
         "portez « depth » à {enough} ou plus",
     }
-    glass_depth_help(enough) {
-        "a ray that goes in must come out again: set `depth` to {enough} or more",
-        "un rayon qui entre doit ressortir : portez « depth » à {enough} ou plus",
+    glass_depth_help() {
+        "a ray that goes in must come out again: set `depth` to 2 or more",
+        "un rayon qui entre doit ressortir : portez « depth » à 2 ou plus",
     }
     facing_mirrors(depth, first, second) {
         "with depth {depth} the reflections between the mirrors `{first}` and `{second}` end in the dark",

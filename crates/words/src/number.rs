@@ -26,6 +26,7 @@ counts! {
     materials: "material" "materials", "matière" "matières";
     views: "view" "views", "vue" "vues";
     vertices: "vertex" "vertices", "sommet" "sommets";
+    normals: "normal" "normals", "normale" "normales";
     facets: "facet" "facets", "facette" "facettes";
     parts: "part" "parts", "partie" "parties";
     errors: "error" "errors", "erreur" "erreurs";
@@ -33,5 +34,6 @@ counts! {
     numbers: "number" "numbers", "nombre" "nombres";
     files: "file" "files", "fichier" "fichiers";
     threads: "thread" "threads", "fil d'exécution" "fils d'exécution";
+    more_rays: "more ray" "more rays", "autre rayon" "autres rayons";
     pixels: "pixel" "pixels", "pixel" "pixels";
 }

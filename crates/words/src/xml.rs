@@ -41,6 +41,7 @@ macro_rules! reports {
     )*};
 }
 
+pub mod report;
 pub mod rule;
 pub mod structure;
 pub mod syntax;

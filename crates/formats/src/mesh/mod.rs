@@ -1,13 +1,30 @@
 //! Mesh files: what `mesh @src` of a scene document names.
 //!
 //! A reader takes the bytes of one file and gives [`MeshGeometry`] as `lancer-scene` means it: finite positions,
-//! triangles whose vertices exist, the file's normals, and the file's own materials as parts. The files themselves are
-//! opened by [`crate::load`] alone, behind the trait [`MeshFiles`].
+//! triangles whose vertices exist, the file's normals, and the file's own materials as parts. The readers are our own,
+//! because a message has to name the line and the rule, in the reader's language, and because no header may make them
+//! take more memory than about ten times the file. The files themselves are opened by [`crate::load`] alone, behind
+//! the traits [`MeshFiles`] and [`FilesBeside`].
 
-use crate::Describe;
+mod builder;
+mod gltf;
+mod mtl;
+mod obj;
+mod ply;
+mod problem;
+mod stl;
+mod triangulate;
+mod words;
+
+pub use problem::{MeshFault, MeshProblem};
+
+use builder::Builder;
 use lancer_scene::MeshGeometry;
-use lancer_words::{Lang, mesh as words};
+use std::path::Path;
 use std::sync::{Arc, OnceLock};
+
+/// So many warnings about one file are told; the rest would say the same.
+const MOST_WARNINGS: usize = 20;
 
 /// Where the reader of a scene document gets its mesh files from.
 pub trait MeshFiles {
@@ -16,6 +33,15 @@ pub trait MeshFiles {
     /// # Errors
     /// Why the file cannot be opened or what is wrong with it.
     fn read(&mut self, path: &str) -> Result<MeshFile, MeshProblem>;
+}
+
+/// Where the reader of a mesh file gets the files that this file names: materials and buffers.
+pub trait FilesBeside {
+    /// The bytes of a file; `path` is relative to the mesh file.
+    ///
+    /// # Errors
+    /// Why the file cannot be opened.
+    fn read(&mut self, path: &str) -> Result<Vec<u8>, MeshFault>;
 }
 
 /// A mesh file that was read. A clone shares everything.
@@ -44,63 +70,61 @@ impl MeshFile {
     }
 }
 
-/// What is wrong with a mesh file. It is told at the place in the document that names the file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshProblem {
-    /// The file, as the document names it.
-    pub file: Arc<str>,
-    /// The line it is about, from 1, in a format that has lines.
-    pub line: Option<usize>,
-    /// What is wrong.
-    pub fault: MeshFault,
+/// Reads a mesh file; the extension of its name decides the format.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn read(file: &str, bytes: &[u8], beside: &mut dyn FilesBeside) -> Result<MeshFile, MeshProblem> {
+    let mut input = Input { file: file.into(), bytes, beside, warnings: Vec::new() };
+    let extension = Path::new(file).extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    let builder = match extension.as_deref() {
+        Some("obj") => obj::read(&mut input)?,
+        Some("ply") => ply::read(&input)?,
+        Some("stl") => stl::read(&input)?,
+        Some("gltf" | "glb") => gltf::read(&mut input)?,
+        other => {
+            let extension = other.map(|extension| format!(".{extension}")).unwrap_or_default();
+            return Err(input.at(None, MeshFault::UnknownFormat(extension)));
+        }
+    };
+    let (geometry, normals_left_out) = builder.finish().map_err(|fault| input.at(None, fault))?;
+    if normals_left_out {
+        input.warn(None, MeshFault::NormalsLeftOut);
+    }
+    Ok(MeshFile::new(geometry, input.warnings))
 }
 
-/// The faults of a mesh file.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MeshFault {
-    /// There is no such file.
-    Missing,
-    /// The system refuses to read it; its own words.
-    Unreadable(String),
-    /// It is a folder, a pipe or a device.
-    NotAFile,
-    /// It lies outside the document's folder.
-    Outside,
+/// A file as a reader gets it.
+struct Input<'a> {
+    file: Arc<str>,
+    bytes: &'a [u8],
+    beside: &'a mut dyn FilesBeside,
+    warnings: Vec<MeshProblem>,
 }
 
-impl Describe for MeshProblem {
-    fn code(&self) -> &'static str {
-        match self.fault {
-            MeshFault::Missing => "mesh::missing",
-            MeshFault::Unreadable(_) => "mesh::unreadable",
-            MeshFault::NotAFile => "mesh::not-a-file",
-            MeshFault::Outside => "mesh::outside",
-        }
+impl Input<'_> {
+    /// A problem in this file.
+    fn at(&self, line: impl Into<Option<usize>>, fault: MeshFault) -> MeshProblem {
+        MeshProblem { file: Arc::clone(&self.file), line: line.into(), fault }
     }
 
-    fn message(&self, lang: Lang) -> String {
-        let fault = match &self.fault {
-            MeshFault::Missing => words::missing(lang),
-            MeshFault::Unreadable(cause) => words::unreadable(lang, cause),
-            MeshFault::NotAFile => words::not_a_file(lang),
-            MeshFault::Outside => words::outside(lang),
-        };
-        match self.line {
-            Some(line) => words::in_line(lang, &self.file, line, fault),
-            None => words::in_file(lang, &self.file, fault),
-        }
+    /// Adds a warning about this file.
+    fn warn(&mut self, line: impl Into<Option<usize>>, fault: MeshFault) {
+        let warning = self.at(line, fault);
+        self.pass_on([warning]);
     }
 
-    fn label(&self, lang: Lang) -> String {
-        words::named_here(lang)
+    /// Adds warnings about any file, as long as there are not too many.
+    fn pass_on(&mut self, warnings: impl IntoIterator<Item = MeshProblem>) {
+        let room = MOST_WARNINGS.saturating_sub(self.warnings.len());
+        self.warnings.extend(warnings.into_iter().take(room));
     }
 
-    fn help(&self, lang: Lang) -> Option<String> {
-        match &self.fault {
-            MeshFault::Missing => Some(words::missing_help(lang)),
-            MeshFault::Unreadable(_) => None,
-            MeshFault::NotAFile => Some(words::not_a_file_help(lang)),
-            MeshFault::Outside => Some(words::outside_help(lang)),
+    /// The name of a file beside this one, as the document would name it.
+    fn name_beside(&self, path: &str) -> Arc<str> {
+        match self.file.rsplit_once('/') {
+            Some((folder, _)) if !path.starts_with('/') => format!("{folder}/{path}").into(),
+            _ => path.into(),
         }
     }
 }

@@ -143,6 +143,7 @@ fn part<'d>(reader: &mut SceneReader<'d, '_, '_>, element: Element<'d>) -> Optio
 
 /// The triples of an element's numbers. Comments may stand anywhere between them.
 fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) -> Option<Vec<DVec3>> {
+    let sound = Fields::read(element, rule, Stands::Within, sink).are_sound();
     Contents::none(element, rule, sink);
     let mut triples = Vec::new();
     let mut triple = Triple::default();
@@ -160,11 +161,12 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
         triple.decimal_commas(&written, sink)?;
     }
     triple.finish(triples.len(), element, sink)?;
-    Some(triples)
+    sound.then_some(triples)
 }
 
 /// The vertex numbers of an element by threes. `vertices` is how many there are, if that is known.
 fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d>) -> Option<Vec<[u32; 3]>> {
+    let sound = Fields::read(element, &FACETS, Stands::Within, sink).are_sound();
     Contents::none(element, &FACETS, sink);
     let mut facets = Vec::new();
     let mut triple = Triple::default();
@@ -184,7 +186,7 @@ fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d
         }
     }
     triple.finish(facets.len(), element, sink)?;
-    (faults == 0).then_some(facets)
+    (sound && faults == 0).then_some(facets)
 }
 
 /// Collects what comes by threes.

@@ -13,7 +13,13 @@ pub(super) fn told(rule: &Invalid, lang: Lang) -> (&'static str, Report) {
             ("rule::not-positive", words::not_positive(lang, field, shortest(*value), shortest(*min)))
         }
         Invalid::OutOfRange { field, value, min, max } => {
-            ("rule::out-of-range", words::out_of_range(lang, field, shortest(*value), shortest(*min), shortest(*max)))
+            let [value_told, min_told, max_told] = [value, min, max].map(|number| shortest(*number));
+            let report = if value < min {
+                words::too_small(lang, field, value_told, min_told, max_told)
+            } else {
+                words::too_great(lang, field, value_told, min_told, max_told)
+            };
+            ("rule::out-of-range", report)
         }
         Invalid::Collinear => ("rule::collinear", words::collinear(lang)),
         Invalid::Coplanar => ("rule::coplanar", words::coplanar(lang)),
@@ -27,6 +33,7 @@ pub(super) fn told(rule: &Invalid, lang: Lang) -> (&'static str, Report) {
             ("rule::facet-vertex", words::facet_vertex(lang, facet, vertex, count))
         }
         Invalid::NormalCount { normals, vertices } => {
+            let (normals, vertices) = (number::normals(lang, *normals), number::vertices(lang, *vertices));
             ("rule::normal-count", words::normal_count(lang, normals, vertices))
         }
         Invalid::PartRange { part, facets } => {

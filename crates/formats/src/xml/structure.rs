@@ -3,7 +3,7 @@
 use super::{Excerpt, Guess};
 use lancer_scene::NameKind;
 use lancer_words::Lang;
-use lancer_words::xml::value::any_of;
+use lancer_words::xml::value::{all_of, any_of};
 use lancer_words::xml::{Report, structure as words};
 
 /// An element, an attribute, a name or a reference that is not what the vocabulary asks for. `line` is where the first
@@ -75,7 +75,7 @@ impl StructureProblem {
                 ("xml::unknown-element", words::no_elements(lang, name, parent))
             }
             P::UnknownElement { name, parent, guess, legal } => {
-                let report = words::unknown_element(lang, name, parent, guess.word(lang), any_of(lang, legal));
+                let report = words::unknown_element(lang, name, parent, guess.word(lang), all_of(lang, legal));
                 ("xml::unknown-element", report)
             }
             P::MisplacedElement { name, parent, home } => {
@@ -85,7 +85,7 @@ impl StructureProblem {
                 ("xml::unknown-attribute", words::no_attributes(lang, name, element))
             }
             P::UnknownAttribute { name, element, guess, legal } => {
-                let report = words::unknown_attribute(lang, name, element, guess.word(lang), any_of(lang, legal));
+                let report = words::unknown_attribute(lang, name, element, guess.word(lang), all_of(lang, legal));
                 ("xml::unknown-attribute", report)
             }
             P::MissingAttribute { name, element, sample } => {
@@ -124,7 +124,7 @@ impl StructureProblem {
             P::UnknownMaterial { name, guess, known } => {
                 let known = match known.as_slice() {
                     [] => words::no_materials(lang),
-                    names => words::known_materials(lang, any_of(lang, names)),
+                    names => words::known_materials(lang, all_of(lang, names)),
                 };
                 ("xml::unknown-material", words::unknown_material(lang, name, guess.word(lang), known))
             }

@@ -58,6 +58,8 @@ syntax_problems! {
     TagWithoutName = "xml::tag-without-name", tag_without_name;
     /// A tag without `>`.
     TagNotEnded { name: Excerpt } = "xml::tag-not-ended", tag_not_ended;
+    /// The file ends within a tag.
+    EndsWithinTag { name: Excerpt } = "xml::ends-within-tag", ends_within_tag;
     /// A character that has no business in a tag.
     StrayInTag { found: char, name: Excerpt } = "xml::stray-in-tag", stray_in_tag;
     /// No white space between two attributes.

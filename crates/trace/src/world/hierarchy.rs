@@ -68,6 +68,8 @@ pub(crate) struct Hierarchy {
 /// Leaves of at most this many items are not worth a split.
 const LEAF: usize = 4;
 const BINS: usize = 16;
+/// So few items are all tried at once: that is cheaper than to walk down to them.
+const FEW: usize = 12;
 /// Below this level nodes are split in halves by count, which bounds the depth whatever the input.
 const SAH_LEVELS: u32 = 48;
 /// `SAH_LEVELS` and 32 halvings of at most 2³² items.
@@ -112,6 +114,17 @@ impl Hierarchy {
     pub(crate) fn visit(&self, ray: &Ray, mut limit: f64, mut visit: impl FnMut(u32, f64) -> f64) {
         let Some(root) = self.nodes.first() else { return };
         let Some(near) = enter(&root.bounds, ray) else { return };
+        if self.items.len() <= FEW {
+            if near <= limit {
+                for &item in &self.items {
+                    limit = visit(item, limit);
+                    if limit < 0.0 {
+                        return;
+                    }
+                }
+            }
+            return;
+        }
         let mut stack = [(0_u32, 0.0_f64); MAX_DEPTH];
         stack[0] = (0, near);
         let mut open = 1;

@@ -3,19 +3,23 @@
 reports! {
     /// A number that is not finite.
     not_finite(field) {
-        "`{field}` is not finite", "here", "every number is finite";
-        "« {field} » n'est pas fini", "ici", "tous les nombres sont finis";
+        "`{field}` is not finite", "", "every number is finite";
+        "« {field} » n'est pas fini", "", "tous les nombres sont finis";
     }
-    /// A number outside its range.
-    out_of_range(field, value, min, max) {
-        "`{field}` is {value}, outside {min} to {max}", "outside {min} to {max}", "`{field}` lies within {min} and {max}";
-        "« {field} » vaut {value}, hors de l'intervalle de {min} à {max}", "hors de l'intervalle de {min} à {max}",
-        "« {field} » va de {min} à {max}";
+    /// A number below its range.
+    too_small(field, value, min, max) {
+        "`{field}` is {value}, less than {min}", "at least {min}", "`{field}` lies within {min} and {max}";
+        "« {field} » vaut {value}, moins que {min}", "au moins {min}", "« {field} » va de {min} à {max}";
+    }
+    /// A number above its range.
+    too_great(field, value, min, max) {
+        "`{field}` is {value}, more than {max}", "at most {max}", "`{field}` lies within {min} and {max}";
+        "« {field} » vaut {value}, plus que {max}", "au plus {max}", "« {field} » va de {min} à {max}";
     }
     /// A number that is not greater than 0, or nearly 0.
     not_positive(field, value, min) {
-        "`{field}` is {value}, but must be greater than 0", "must be greater than 0", "`{field}` is at least {min}";
-        "« {field} » vaut {value}, mais doit être supérieur à 0", "doit être supérieur à 0",
+        "`{field}` is {value}, but must be greater than 0", "more than 0", "`{field}` is at least {min}";
+        "« {field} » vaut {value}, mais doit dépasser 0", "plus que 0",
         "« {field} » vaut au moins {min}";
     }
     /// The points of a plane or a facet lie on one line.
@@ -47,8 +51,8 @@ reports! {
     }
     /// Normals that are not one for each vertex.
     normal_count(normals, vertices) {
-        "there are {normals} normals for {vertices} vertices", "here", "give one normal for each vertex, or none at all";
-        "il y a {normals} normales pour {vertices} sommets", "ici", "donnez une normale par sommet, ou aucune";
+        "{normals} for {vertices}", "", "give one normal for each vertex, or none at all";
+        "{normals} pour {vertices}", "", "donnez une normale par sommet, ou aucune";
     }
     /// A part that names no facets of its own.
     part_range(part, facets) {
@@ -59,20 +63,20 @@ reports! {
     }
     /// A name with white space around it or control characters in it.
     bad_name() {
-        "this name is not legal", "here",
+        "this name is not legal", "",
         "a name is not empty, does not begin or end with a blank, and holds no control characters";
-        "ce nom est illégal", "ici",
+        "ce nom est illégal", "",
         "un nom n'est pas vide, ne commence ni ne finit par un blanc, et n'a pas de caractère de contrôle";
     }
     /// A name that is taken.
     name_taken(name) {
-        "the name `{name}` is taken", "here", "choose another name";
-        "le nom « {name} » est déjà pris", "ici", "choisissez un autre nom";
+        "the name `{name}` is taken", "", "choose another name";
+        "le nom « {name} » est déjà pris", "", "choisissez un autre nom";
     }
     /// A material that does not exist.
     unknown_material(name) {
-        "there is no material `{name}`", "here", "name a material of the scene";
-        "il n'y a pas de matière « {name} »", "ici", "nommez une matière de la scène";
+        "there is no material `{name}`", "", "name a material of the scene";
+        "il n'y a pas de matière « {name} »", "", "nommez une matière de la scène";
     }
     /// The screen's edges are parallel or zero.
     screen_collinear() {
@@ -83,9 +87,9 @@ reports! {
     }
     /// The four corners are no parallelogram.
     not_parallelogram() {
-        "the four corners are no parallelogram", "here",
+        "the four corners are no parallelogram", "",
         "they stand in the order bottom left, bottom right, top right, top left; opposite edges are equal";
-        "les quatre coins ne forment pas un parallélogramme", "ici",
+        "les quatre coins ne forment pas un parallélogramme", "",
         "dans l'ordre : bas gauche, bas droite, haut droite, haut gauche ; les côtés opposés sont égaux";
     }
     /// The eye lies in the screen's plane.
@@ -97,8 +101,8 @@ reports! {
     }
     /// The eye looks at itself.
     look_at_is_eye() {
-        "the eye looks at its own place", "here", "look at another point than the eye's own";
-        "l'œil regarde l'endroit où il est", "ici", "regardez un autre point que celui de l'œil";
+        "the eye looks at its own place", "", "look at another point than the eye's own";
+        "l'œil regarde l'endroit où il est", "", "regardez un autre point que celui de l'œil";
     }
     /// `up` is zero or along the sight.
     up_along_sight() {

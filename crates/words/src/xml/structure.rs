@@ -8,14 +8,14 @@ reports! {
     }
     /// An element within one that holds none.
     no_elements(name, parent) {
-        "there is no element `{name}` in `{parent}`", "here", "`{parent}` holds no elements: close it before this one";
-        "il n'y a pas d'élément « {name} » dans « {parent} »", "ici",
+        "there is no element `{name}` in `{parent}`", "", "`{parent}` holds no elements: close it before this one";
+        "il n'y a pas d'élément « {name} » dans « {parent} »", "",
         "« {parent} » ne contient pas d'éléments : fermez-le avant celui-ci";
     }
     /// A known element in the wrong place.
     misplaced_element(name, parent, home) {
-        "`{name}` does not stand in `{parent}`", "here", "its place is in {home}";
-        "« {name} » n'est pas à sa place dans « {parent} »", "ici", "sa place est dans {home}";
+        "`{name}` does not stand in `{parent}`", "", "its place is in {home}";
+        "« {name} » n'est pas à sa place dans « {parent} »", "", "sa place est dans {home}";
     }
     /// An attribute that the element does not have.
     unknown_attribute(name, element, guess, legal) {
@@ -24,8 +24,8 @@ reports! {
     }
     /// An attribute on an element that has none.
     no_attributes(name, element) {
-        "`{element}` has no attribute `{name}`", "here", "`{element}` takes no attributes";
-        "« {element} » n'a pas d'attribut « {name} »", "ici", "« {element} » ne prend pas d'attributs";
+        "`{element}` has no attribute `{name}`", "", "`{element}` takes no attributes";
+        "« {element} » n'a pas d'attribut « {name} »", "", "« {element} » ne prend pas d'attributs";
     }
     /// A required attribute is missing.
     missing_attribute(name, element, sample) {
@@ -51,8 +51,8 @@ reports! {
     }
     /// Text that is no white space where none is due.
     stray_text(parent) {
-        "text has no place in `{parent}`", "here", "for a remark write a comment: `<!-- like this -->`";
-        "du texte n'a pas sa place dans « {parent} »", "ici", "pour une remarque, un commentaire : « <!-- ainsi --> »";
+        "text has no place in `{parent}`", "", "for a remark write a comment: `<!-- like this -->`";
+        "du texte n'a pas sa place dans « {parent} »", "", "pour une remarque, un commentaire : « <!-- ainsi --> »";
     }
     /// `material=` and an inline material.
     two_materials(element) {
@@ -61,16 +61,16 @@ reports! {
     }
     /// An inline material with a name.
     named_inline() {
-        "an inline material takes no name", "here",
+        "an inline material takes no name", "",
         "take the name out; or put the material beside the objects, and name it by `material=`";
-        "une matière incluse ne prend pas de nom", "ici",
+        "une matière incluse ne prend pas de nom", "",
         "ôtez le nom ; ou placez la matière à côté des objets, et nommez-la par « material= »";
     }
     /// Inline geometry in a mesh that has a file.
     beside_source(name) {
-        "`{name}` stands in a mesh that has a `src`", "here",
+        "`{name}` stands in a mesh that has a `src`", "",
         "the file brings vertices, facets and parts of its own: keep the file or what stands here";
-        "« {name} » figure dans un maillage qui a un « src »", "ici",
+        "« {name} » figure dans un maillage qui a un « src »", "",
         "le fichier apporte ses sommets, facettes et parties : gardez le fichier ou ce qui est ici";
     }
     /// A screen beside `look-at`.
@@ -82,23 +82,23 @@ reports! {
     }
     /// `up` or `fov` of an eye that looks at nothing.
     needs_look_at(name) {
-        "`{name}` has no meaning without `look-at`", "here",
+        "`{name}` has no meaning without `look-at`", "",
         "add `look-at=\"0 0 0\"`, or take `{name}` out: the `screen` decides";
-        "« {name} » n'a pas de sens sans « look-at »", "ici",
+        "« {name} » n'a pas de sens sans « look-at »", "",
         "ajoutez « look-at=\"0 0 0\" », ou ôtez « {name} » : c'est « screen » qui décide";
     }
     /// Attributes of two ways to give a screen.
     mixed_screen(name, other) {
-        "`{name}` does not go with `{other}`", "here",
+        "`{name}` does not go with `{other}`", "",
         "a screen is `origin`, `u` and `v`; or `center`, `size` and perhaps `up`; or `corners`";
-        "« {name} » ne va pas avec « {other} »", "ici",
+        "« {name} » ne va pas avec « {other} »", "",
         "un écran est « origin », « u » et « v » ; ou « center », « size » et au besoin « up » ; ou « corners »";
     }
     /// A screen element without any place.
     empty_screen() {
-        "this `screen` says not where it is", "here",
+        "this `screen` says not where it is", "",
         "a screen is `origin`, `u` and `v`; or `center`, `size` and perhaps `up`; or `corners`";
-        "ce « screen » ne dit pas où il est", "ici",
+        "ce « screen » ne dit pas où il est", "",
         "un écran est « origin », « u » et « v » ; ou « center », « size » et au besoin « up » ; ou « corners »";
     }
     /// A view without a screen.
@@ -117,16 +117,16 @@ reports! {
     }
     /// Views where a scene is due.
     views_for_scene() {
-        "this document holds views, where a scene is due", "here",
+        "this document holds views, where a scene is due", "",
         "were the two files exchanged? The scene comes first, then the view";
-        "ce document contient des vues, là où une scène est attendue", "ici",
+        "ce document contient des vues, là où une scène est attendue", "",
         "les deux fichiers sont-ils intervertis ? D'abord la scène, puis la vue";
     }
     /// A scene where views are due.
     scene_for_views() {
-        "this document holds a scene, where a view is due", "here",
+        "this document holds a scene, where a view is due", "",
         "were the two files exchanged? The scene comes first, then the view";
-        "ce document contient une scène, là où une vue est attendue", "ici",
+        "ce document contient une scène, là où une vue est attendue", "",
         "les deux fichiers sont-ils intervertis ? D'abord la scène, puis la vue";
     }
     /// `Scene` with native content.
@@ -146,15 +146,15 @@ reports! {
     }
     /// A version that is none.
     bad_version(found) {
-        "`{found}` is no version of this format", "here", "write `version=\"1\"`";
-        "« {found} » n'est pas une version de ce format", "ici", "écrivez « version=\"1\" »";
+        "`{found}` is no version of this format", "", "write `version=\"1\"`";
+        "« {found} » n'est pas une version de ce format", "", "écrivez « version=\"1\" »";
     }
     /// A name that another object or lamp has.
     object_name_taken(name, line) {
         "the name `{name}` is taken", "it first stands on line {line}",
-        "names are unique among objects and lamps together: rename one, or take one out to get a name by itself";
+        "names are unique among objects and lamps together: rename one, or take its name out and it gets a free one";
         "le nom « {name} » est déjà pris", "il figure d'abord à la ligne {line}",
-        "les noms sont uniques parmi les objets et les sources : changez-en un, ou ôtez-en un pour un nom automatique";
+        "les noms sont uniques parmi les objets et les sources : changez-en un, ou ôtez-le et un nom libre sera donné";
     }
     /// A name that another material has.
     material_name_taken(name, line) {
@@ -184,8 +184,8 @@ reports! {
     }
     /// A document of views without a view.
     no_views() {
-        "the document has no view", "here", "add `<view><eye at=\"0 1 5\" look-at=\"0 0 0\"/></view>`";
-        "le document n'a aucune vue", "ici", "ajoutez « <view><eye at=\"0 1 5\" look-at=\"0 0 0\"/></view> »";
+        "the document has no view", "", "add `<view><eye at=\"0 1 5\" look-at=\"0 0 0\"/></view>`";
+        "le document n'a aucune vue", "", "ajoutez « <view><eye at=\"0 1 5\" look-at=\"0 0 0\"/></view> »";
     }
     /// More problems than are listed.
     too_many(count) {
@@ -197,7 +197,7 @@ reports! {
 
 phrases! {
     /// The materials that exist.
-    known_materials(names) { "the document has {names}", "le document a {names}" }
+    known_materials(names) { "the document's materials: {names}", "les matières du document : {names}" }
     /// There are none.
     no_materials() {
         "the document has no material: add `<material name=\"…\"/>`",

@@ -22,9 +22,9 @@ reports! {
     }
     /// Bytes that the encoding does not have.
     bad_bytes(byte, encoding) {
-        "the byte {byte} has no meaning here in {encoding}", "the text goes wrong here",
+        "the byte {byte} has no meaning here in {encoding}", "the text is not legible from here on",
         "save the file as UTF-8, or declare how it was saved, often `<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>`";
-        "l'octet {byte} n'a pas de sens ici en {encoding}", "le texte se gâte ici",
+        "l'octet {byte} n'a pas de sens ici en {encoding}", "le texte devient illisible ici",
         "enregistrez le fichier en UTF-8, ou déclarez son codage, souvent « <?xml version=\"1.0\" encoding=\"ISO-8859-1\"?> »";
     }
     /// The mark says one encoding, the declaration another.
@@ -43,16 +43,16 @@ reports! {
     }
     /// A character that no XML document may hold.
     illegal_character(code) {
-        "the character {code} must not stand in an XML document", "here",
+        "the character {code} must not stand in an XML document", "",
         "take it out; of the control characters only tab and line ends are legal";
-        "le caractère {code} est interdit dans un document XML", "ici",
+        "le caractère {code} est interdit dans un document XML", "",
         "ôtez-le ; des caractères de contrôle, seuls la tabulation et les fins de ligne sont permis";
     }
     /// The XML declaration is malformed.
     bad_declaration() {
-        "the XML declaration is malformed", "here",
+        "the XML declaration is malformed", "",
         "a document begins with `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`, or without a declaration";
-        "la déclaration XML est mal formée", "ici",
+        "la déclaration XML est mal formée", "",
         "un document commence par « <?xml version=\"1.0\" encoding=\"UTF-8\"?> », ou sans déclaration";
     }
     /// A version of XML that is not read.
@@ -76,26 +76,26 @@ reports! {
     }
     /// A malformed DOCTYPE.
     bad_doctype() {
-        "this DOCTYPE is malformed", "here", "take it out: no document needs one";
-        "ce DOCTYPE est mal formé", "ici", "ôtez-le : aucun document n'en a besoin";
+        "this DOCTYPE is malformed", "", "take it out: no document needs one";
+        "ce DOCTYPE est mal formé", "", "ôtez-le : aucun document n'en a besoin";
     }
     /// A DOCTYPE where none may stand.
     misplaced_doctype() {
-        "a DOCTYPE may only stand once, before the first element", "here", "take it out: no document needs one";
-        "un DOCTYPE ne peut figurer qu'une fois, avant le premier élément", "ici",
+        "a DOCTYPE may only stand once, before the first element", "", "take it out: no document needs one";
+        "un DOCTYPE ne peut figurer qu'une fois, avant le premier élément", "",
         "ôtez-le : aucun document n'en a besoin";
     }
     /// Something that begins with `<!` and is nothing known.
     unknown_markup() {
-        "`<!` begins neither a comment nor anything else known", "here", "a comment is written `<!-- like this -->`";
-        "« <! » ne commence ni un commentaire ni rien de connu", "ici",
+        "`<!` begins neither a comment nor anything else known", "", "a comment is written `<!-- like this -->`";
+        "« <! » ne commence ni un commentaire ni rien de connu", "",
         "un commentaire s'écrit « <!-- ainsi --> »";
     }
     /// `<` without a name.
     tag_without_name() {
-        "a `<` begins a tag, but no name follows it", "here",
+        "a `<` begins a tag, but no name follows it", "",
         "to mean the character itself, write `&lt;`; a name follows `<` at once, without a blank";
-        "« < » commence une balise, mais aucun nom ne suit", "ici",
+        "« < » commence une balise, mais aucun nom ne suit", "",
         "pour le caractère lui-même, écrivez « &lt; » ; un nom suit « < » aussitôt, sans blanc";
     }
     /// A tag that is not ended.
@@ -104,17 +104,23 @@ reports! {
         "la balise « <{name} » n'a pas de fin", "elle commence ici",
         "une balise finit par « > », ou par « /> » quand rien n'est contenu";
     }
+    /// The file ends within a tag.
+    ends_within_tag(name) {
+        "the file ends in the midst of the tag `<{name}`", "it begins here", "is the file cut short? A tag ends with `>` or `/>`";
+        "le fichier finit au milieu de la balise « <{name} »", "elle commence ici",
+        "le fichier est-il tronqué ? Une balise finit par « > » ou « /> »";
+    }
     /// A stray character within a tag.
     stray_in_tag(found, name) {
-        "`{found}` must not stand here in the tag `<{name}`", "here",
+        "`{found}` must not stand here in the tag `<{name}`", "",
         "within a tag stand only attributes such as `radius=\"0.5\"`, with blanks between them";
-        "« {found} » n'a rien à faire ici dans la balise « <{name} »", "ici",
+        "« {found} » n'a rien à faire ici dans la balise « <{name} »", "",
         "une balise ne contient que des attributs comme « radius=\"0.5\" », séparés par des blancs";
     }
     /// Two attributes without white space between them.
     attributes_touch(name) {
-        "a blank is missing before the attribute `{name}`", "here", "write `a=\"1\" b=\"2\"`, not `a=\"1\"b=\"2\"`";
-        "il manque un blanc avant l'attribut « {name} »", "ici", "écrivez « a=\"1\" b=\"2\" », et non « a=\"1\"b=\"2\" »";
+        "a blank is missing before the attribute `{name}`", "", "write `a=\"1\" b=\"2\"`, not `a=\"1\"b=\"2\"`";
+        "il manque un blanc avant l'attribut « {name} »", "", "écrivez « a=\"1\" b=\"2\" », et non « a=\"1\"b=\"2\" »";
     }
     /// An attribute without a value.
     attribute_without_value(name) {
@@ -123,8 +129,8 @@ reports! {
     }
     /// A value without quotes.
     value_without_quotes(name) {
-        "the value of `{name}` needs quotes", "here", "write `{name}=\"…\"`";
-        "la valeur de « {name} » demande des guillemets", "ici", "écrivez « {name}=\"…\" »";
+        "the value of `{name}` needs quotes", "", "write `{name}=\"…\"`";
+        "la valeur de « {name} » demande des guillemets", "", "écrivez « {name}=\"…\" »";
     }
     /// A value whose closing quote is missing.
     value_not_ended(name, quote) {
@@ -149,13 +155,13 @@ reports! {
     }
     /// An end tag with nothing open.
     end_without_start(name) {
-        "`</{name}>` closes nothing", "here", "take it out, or write the `<{name}>` that it should close";
-        "« </{name}> » ne ferme rien", "ici", "ôtez-la, ou écrivez le « <{name}> » qu'elle devrait fermer";
+        "`</{name}>` closes nothing", "", "take it out, or write the `<{name}>` that it should close";
+        "« </{name}> » ne ferme rien", "", "ôtez-la, ou écrivez le « <{name}> » qu'elle devrait fermer";
     }
     /// A malformed end tag.
     bad_end_tag() {
-        "this end tag is malformed", "here", "an end tag is `</`, the name, and `>`";
-        "cette balise fermante est mal formée", "ici", "une balise fermante est « </ », le nom, puis « > »";
+        "this end tag is malformed", "", "an end tag is `</`, the name, and `>`";
+        "cette balise fermante est mal formée", "", "une balise fermante est « </ », le nom, puis « > »";
     }
     /// An element that is open where the file ends.
     element_not_closed(name, line) {
@@ -166,9 +172,9 @@ reports! {
     }
     /// Text outside the root element.
     text_outside() {
-        "this text stands outside the document's element", "here",
+        "this text stands outside the document's element", "",
         "only comments may stand before and after the one element that holds everything";
-        "ce texte est hors de l'élément du document", "ici",
+        "ce texte est hors de l'élément du document", "",
         "seuls des commentaires peuvent précéder et suivre l'élément unique qui contient tout";
     }
     /// The file begins with something that is no XML.
@@ -180,16 +186,16 @@ reports! {
     }
     /// A second root element.
     second_root(name) {
-        "a second element, `<{name}>`, stands beside the document's own", "here",
+        "a second element, `<{name}>`, stands beside the document's own", "",
         "one element holds everything: put this within it, or into a file of its own";
-        "un second élément, « <{name}> », figure à côté de celui du document", "ici",
+        "un second élément, « <{name}> », figure à côté de celui du document", "",
         "un seul élément contient tout : placez celui-ci dedans, ou dans son propre fichier";
     }
     /// No root element at all.
     no_root() {
-        "the document has no element", "the file ends here",
+        "the document has no element", "",
         "a scene begins with `<scene version=\"1\">`, a view with `<views version=\"1\">`";
-        "le document n'a aucun élément", "le fichier finit ici",
+        "le document n'a aucun élément", "",
         "une scène commence par « <scene version=\"1\"> », une vue par « <views version=\"1\"> »";
     }
     /// A comment without an end.
@@ -199,8 +205,8 @@ reports! {
     }
     /// `--` within a comment.
     double_dash() {
-        "`--` must not stand within a comment", "here", "write one dash, or end the comment with `-->`";
-        "« -- » est interdit dans un commentaire", "ici", "écrivez un seul tiret, ou finissez le commentaire par « --> »";
+        "`--` must not stand within a comment", "", "write one dash, or end the comment with `-->`";
+        "« -- » est interdit dans un commentaire", "", "écrivez un seul tiret, ou finissez le commentaire par « --> »";
     }
     /// A CDATA section without an end.
     cdata_not_ended() {
@@ -209,8 +215,8 @@ reports! {
     }
     /// `]]>` in text.
     stray_cdata_end() {
-        "`]]>` must not stand in text", "here", "write `]]&gt;`";
-        "« ]]> » est interdit dans du texte", "ici", "écrivez « ]]&gt; »";
+        "`]]>` must not stand in text", "", "write `]]&gt;`";
+        "« ]]> » est interdit dans du texte", "", "écrivez « ]]&gt; »";
     }
     /// A malformed or endless processing instruction.
     bad_instruction() {
@@ -220,31 +226,31 @@ reports! {
     }
     /// `&` that begins no reference.
     bare_ampersand() {
-        "a lone `&` must be written `&amp;`", "here", "write `&amp;` for the character `&`";
-        "un « & » seul doit s'écrire « &amp; »", "ici", "écrivez « &amp; » pour le caractère « & »";
+        "a lone `&` must be written `&amp;`", "", "write `&amp;` for the character `&`";
+        "un « & » seul doit s'écrire « &amp; »", "", "écrivez « &amp; » pour le caractère « & »";
     }
     /// An entity that is not predefined.
     unknown_entity(name) {
-        "there is no entity `&{name};`", "here",
+        "there is no entity `&{name};`", "",
         "only `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` and numbers such as `&#233;` are known: write the character itself";
-        "il n'y a pas d'entité « &{name}; »", "ici",
+        "il n'y a pas d'entité « &{name}; »", "",
         "seuls « &lt; » « &gt; » « &amp; » « &quot; » « &apos; » et des numéros comme « &#233; » sont connus : écrivez le caractère lui-même";
     }
     /// A numeric reference that names no legal character.
     bad_character_reference(reference) {
-        "`{reference}` names no character that a document may hold", "here", "write the character itself";
-        "« {reference} » ne désigne aucun caractère permis dans un document", "ici", "écrivez le caractère lui-même";
+        "`{reference}` names no character that a document may hold", "", "write the character itself";
+        "« {reference} » ne désigne aucun caractère permis dans un document", "", "écrivez le caractère lui-même";
     }
     /// Elements within elements, too deep.
     too_deep(limit) {
-        "the elements are nested more than {limit} deep", "here",
+        "the elements are nested more than {limit} deep", "",
         "no legal document nests more than four deep: an end tag is probably missing further up";
-        "les éléments sont imbriqués sur plus de {limit} niveaux", "ici",
+        "les éléments sont imbriqués sur plus de {limit} niveaux", "",
         "aucun document légal n'en imbrique plus de quatre : il manque sans doute une balise fermante plus haut";
     }
     /// A name that is no XML name.
     bad_name() {
-        "this is no legal name", "here", "a name begins with a letter and holds letters, digits, `-`, `_` and `.`";
-        "ce nom est illégal", "ici", "un nom commence par une lettre et contient des lettres, chiffres, « - », « _ » et « . »";
+        "this is no legal name", "", "a name begins with a letter and holds letters, digits, `-`, `_` and `.`";
+        "ce nom est illégal", "", "un nom commence par une lettre et contient des lettres, chiffres, « - », « _ » et « . »";
     }
 }

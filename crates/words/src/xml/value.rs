@@ -30,13 +30,13 @@ reports! {
     }
     /// A comma with no number on one side.
     stray_comma() {
-        "a comma without a number on both sides", "here", "one comma, or blanks alone, part two numbers";
-        "une virgule sans nombre de chaque côté", "ici", "une virgule, ou de simples blancs, séparent deux nombres";
+        "a comma without a number on both sides", "", "one comma, or blanks alone, part two numbers";
+        "une virgule sans nombre de chaque côté", "", "une virgule, ou de simples blancs, séparent deux nombres";
     }
     /// A number beyond what a double holds.
     too_large_number(found) {
-        "`{found}` is too large", "here", "lengths and coordinates lie within -1000000000 and 1000000000";
-        "« {found} » est trop grand", "ici", "longueurs et coordonnées vont de -1000000000 à 1000000000";
+        "`{found}` is too large", "", "lengths and coordinates lie within -1000000000 and 1000000000";
+        "« {found} » est trop grand", "", "longueurs et coordonnées vont de -1000000000 à 1000000000";
     }
     /// A fraction or a negative number where a count is due.
     not_whole(found) {
@@ -46,8 +46,8 @@ reports! {
     }
     /// A `#` and something else than six hexadecimal digits.
     not_a_color(found) {
-        "`{found}` is no colour", "here", "a colour is `0.2 0.4 1`, one number for grey, or `#3366ff` with six digits";
-        "« {found} » n'est pas une couleur", "ici",
+        "`{found}` is no colour", "", "a colour is `0.2 0.4 1`, one number for grey, or `#3366ff` with six digits";
+        "« {found} » n'est pas une couleur", "",
         "une couleur s'écrit « 0.2 0.4 1 », un seul nombre pour un gris, ou « #3366ff » avec six chiffres";
     }
     /// A colour in 0..255.
@@ -63,8 +63,8 @@ reports! {
     }
     /// A name of white space.
     empty_name() {
-        "a name must not be empty", "here", "write a name, or take the attribute out";
-        "un nom ne doit pas être vide", "ici", "écrivez un nom, ou ôtez l'attribut";
+        "a name must not be empty", "", "write a name, or take the attribute out";
+        "un nom ne doit pas être vide", "", "écrivez un nom, ou ôtez l'attribut";
     }
 }
 
@@ -75,8 +75,10 @@ phrases! {
     unknown() { "unknown", "inconnu" }
     /// A name or a value in the midst of a sentence.
     quoted(name) { "`{name}`", "« {name} »" }
-    /// The last two of several.
+    /// The last two of several, of which one is meant.
     or(first, last) { "{first} or {last}", "{first} ou {last}" }
+    /// The last two of several, all of which are meant.
+    and(first, last) { "{first} and {last}", "{first} et {last}" }
     /// One number is due.
     due_one() { "one number is due here", "un nombre est attendu ici" }
     /// Two numbers are due.
@@ -107,14 +109,23 @@ pub fn but_found(lang: Lang, found: usize) -> String {
     }
 }
 
-/// Several names in a row, each quoted, the last two joined by "or".
+/// Several names in a row, each quoted, of which one is meant: `a`, `b` or `c`.
 pub fn any_of<S: AsRef<str>>(lang: Lang, names: &[S]) -> String {
+    in_a_row(lang, names, or)
+}
+
+/// Several names in a row, each quoted, all of which are meant: `a`, `b` and `c`.
+pub fn all_of<S: AsRef<str>>(lang: Lang, names: &[S]) -> String {
+    in_a_row(lang, names, and)
+}
+
+fn in_a_row<S: AsRef<str>>(lang: Lang, names: &[S], join: fn(Lang, String, String) -> String) -> String {
     match names {
         [] => String::new(),
         [name] => quoted(lang, name.as_ref()),
         [first @ .., last] => {
             let first: Vec<String> = first.iter().map(|name| quoted(lang, name.as_ref())).collect();
-            or(lang, first.join(", "), quoted(lang, last.as_ref()))
+            join(lang, first.join(", "), quoted(lang, last.as_ref()))
         }
     }
 }

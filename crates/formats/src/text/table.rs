@@ -1,0 +1,133 @@
+//! Columns that line up: text at its left, numbers at their decimal point.
+
+use unicode_width::UnicodeWidthStr;
+
+/// What stands in one place of a table.
+#[derive(Clone, Debug)]
+pub(super) enum Cell {
+    /// Nothing.
+    Blank,
+    /// Words.
+    Text(String),
+    /// Words over several columns, the others of which are blank: they widen none.
+    Over(String),
+    /// A number, aligned with the others of its column at the decimal point.
+    Number(String),
+}
+
+impl Cell {
+    pub(super) fn text(text: impl Into<String>) -> Cell {
+        Cell::Text(text.into())
+    }
+
+    pub(super) fn number(value: f64) -> Cell {
+        Cell::Number(super::number::shown(value))
+    }
+}
+
+/// Rows of cells. Each column says how many blanks stand before it, unless it is empty; rows may be shorter than the
+/// table.
+#[derive(Debug)]
+pub(super) struct Table {
+    gaps: Vec<usize>,
+    rows: Vec<Vec<Cell>>,
+}
+
+/// How wide a column is: its texts, and its numbers before and from the decimal point on.
+#[derive(Clone, Copy, Default)]
+struct Width {
+    text: usize,
+    whole: usize,
+    fraction: usize,
+}
+
+impl Width {
+    fn total(self) -> usize {
+        self.text.max(self.whole + self.fraction)
+    }
+
+    /// With the blanks before it, which an empty column does not have.
+    fn total_after(self, gap: usize) -> usize {
+        if self.total() == 0 { 0 } else { gap + self.total() }
+    }
+}
+
+impl Table {
+    pub(super) fn new(gaps: impl Into<Vec<usize>>) -> Table {
+        Table { gaps: gaps.into(), rows: Vec::new() }
+    }
+
+    pub(super) fn push(&mut self, row: Vec<Cell>) {
+        self.rows.push(row);
+    }
+
+    fn widths(&self) -> Vec<Width> {
+        let mut widths = vec![Width::default(); self.gaps.len()];
+        for row in &self.rows {
+            for (cell, width) in row.iter().zip(&mut widths) {
+                match cell {
+                    Cell::Blank | Cell::Over(_) => {}
+                    Cell::Text(text) => width.text = width.text.max(text.width()),
+                    Cell::Number(number) => {
+                        let (whole, fraction) = split(number);
+                        width.whole = width.whole.max(whole.len());
+                        width.fraction = width.fraction.max(fraction.len());
+                    }
+                }
+            }
+        }
+        widths
+    }
+
+    /// How wide the lines are, the columns up to the last one filled.
+    pub(super) fn width(&self) -> usize {
+        self.widths().iter().zip(&self.gaps).map(|(width, gap)| width.total_after(*gap)).sum()
+    }
+
+    /// The lines, without blanks at their ends.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let widths = self.widths();
+        let line = |row: &Vec<Cell>| {
+            let mut line = String::new();
+            let mut start = 0;
+            for ((cell, width), gap) in row.iter().zip(&widths).zip(&self.gaps) {
+                let end = start + width.total_after(*gap);
+                start = end - width.total();
+                let indent = match cell {
+                    Cell::Blank | Cell::Text(_) | Cell::Over(_) => 0,
+                    Cell::Number(number) => width.whole - split(number).0.len(),
+                };
+                if let Cell::Text(text) | Cell::Over(text) | Cell::Number(text) = cell {
+                    // Words over several columns may reach further than these.
+                    line.extend(std::iter::repeat_n(' ', (start + indent).saturating_sub(line.width())));
+                    line.push_str(text);
+                }
+                start = end;
+            }
+            line.truncate(line.trim_end().len());
+            line
+        };
+        self.rows.iter().map(line).collect()
+    }
+}
+
+/// A number before its decimal point, and the rest.
+fn split(number: &str) -> (&str, &str) {
+    number.split_at(number.find(['.', 'e']).unwrap_or(number.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_line_up() {
+        let mut table = Table::new([2, 3, 1]);
+        table.push(vec![Cell::text("name"), Cell::text("Ka")]);
+        table.push(vec![Cell::text("é球"), Cell::number(10.25), Cell::number(-1.0)]);
+        table.push(vec![Cell::Blank, Cell::number(0.5)]);
+        table.push(vec![Cell::text("a"), Cell::Blank, Cell::number(0.125)]);
+        assert_eq!(table.lines(), ["  name   Ka", "  é球    10.25 -1", "          0.5", "  a             0.125"]);
+        assert_eq!(table.width(), 17);
+    }
+}
