@@ -2,10 +2,10 @@
 //! place.
 
 use crate::toasts::Toast;
+use egui_tiles::LinearDir;
 use lancer_document::insert::NewItem;
 use lancer_document::navigate::Side;
 use lancer_document::{Command, Item, Selection, StepName};
-use egui_tiles::LinearDir;
 use lancer_formats::picture::Format;
 use lancer_render::Region;
 use lancer_scene::{Edit, Name};
@@ -145,7 +145,7 @@ pub enum WindowAction {
 }
 
 /// The tabs at the bottom.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Tab {
     /// The scene as text.
     #[default]

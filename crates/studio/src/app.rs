@@ -117,7 +117,7 @@ impl Studio {
             },
             panes: Panes {
                 live: BTreeMap::new(),
-                renderer: Renderer::new(None, move || waker.request_repaint()),
+                renderer: Renderer::new(None, move || waker.request_repaint_of(ViewportId::ROOT)),
                 picker: Picker::new(ctx.clone()),
                 wireframes: Wireframes::default(),
             },
@@ -162,9 +162,8 @@ impl Studio {
         self.take_files(ctx);
         let dropped = ctx.input(|input| input.raw.dropped_files.clone());
         for file in dropped {
-            if let Some(path) = file.path() {
-                self.perform(ctx, Action::File(FileAction::Open(Some(path.to_owned()))));
-            }
+            let path = file.path().to_owned();
+            self.perform(ctx, Action::File(FileAction::Open(Some(path))));
         }
         let closes = ctx.input(|input| input.viewport().close_requested());
         if closes && !self.leaving && self.model.modified() {
@@ -214,7 +213,8 @@ impl Studio {
 
     /// Everything in the main window.
     fn panels(&mut self, ui: &mut Ui, palette: &Palette) -> Vec<Action> {
-        let active = self.model.active.as_ref().and_then(|active| self.panes.live.get(active).map(|live| (active, live)));
+        let active =
+            self.model.active.as_ref().and_then(|active| self.panes.live.get(active).map(|live| (active, live)));
         let pane = active.map(|(name, live)| PaneState {
             fit: live.fit,
             grid: live.grid,
@@ -240,12 +240,14 @@ impl Studio {
             actions.extend(panel.show(ui, |ui| tabs(ui, &context)).inner);
         }
         if settings.outliner {
-            let panel = Panel::left("outliner").frame(side).resizable(true).default_size(230.0).size_range(160.0..=480.0);
+            let panel =
+                Panel::left("outliner").frame(side).resizable(true).default_size(230.0).size_range(160.0..=480.0);
             let name = words::outliner(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::outliner::show)).inner);
         }
         if settings.properties {
-            let panel = Panel::right("properties").frame(side).resizable(true).default_size(290.0).size_range(220.0..=520.0);
+            let panel =
+                Panel::right("properties").frame(side).resizable(true).default_size(290.0).size_range(220.0..=520.0);
             let name = words::properties(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::properties::show)).inner);
         }
@@ -265,7 +267,14 @@ impl Studio {
             }
         });
         for name in &layout.detached {
-            actions.extend(detached(ui, &context, name, &mut self.panes.live, &self.panes.picker, &mut self.panes.wireframes));
+            actions.extend(detached(
+                ui,
+                &context,
+                name,
+                &mut self.panes.live,
+                &self.panes.picker,
+                &mut self.panes.wireframes,
+            ));
         }
         layout.tree.simplify(&SIMPLIFICATION);
         self.model.settings.layout = layout;

@@ -103,7 +103,8 @@ fn file(ui: &mut Ui, context: &Context<'_>, entries: Groups, actions: &mut Vec<A
             ui.add_enabled(false, Button::new(words::no_recent(context.lang)));
         }
         for path in &context.settings.recent {
-            let name = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
+            let name =
+                path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
             if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
                 actions.push(Action::File(FileAction::Open(Some(path.clone()))));
                 ui.close();

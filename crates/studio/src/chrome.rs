@@ -32,8 +32,8 @@ pub fn named(response: Response, kind: Role, selected: Option<bool>, name: &str)
 /// A button that shows an icon alone and opens a menu.
 pub fn icon_menu(ui: &mut Ui, icon: MaterialIcon, name: &str, content: impl FnOnce(&mut Ui)) {
     let button = Button::new(icon.rich_text().size(ICON)).frame_when_inactive(false).min_size(Vec2::splat(26.0));
-    let config = egui::containers::menu::MenuConfig::default()
-        .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
+    let config =
+        egui::containers::menu::MenuConfig::default().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
     let (response, _) = egui::containers::menu::MenuButton::from_button(button).config(config).ui(ui, |ui| {
         ui.set_min_width(180.0);
         content(ui);

@@ -1,14 +1,14 @@
 //! What a panel may read.
 
 use crate::report::Report;
+use crate::settings::Settings;
 use crate::swatches::Swatches;
 use crate::theme::Palette;
 use lancer_document::{Document, Item};
-use crate::settings::Settings;
 use lancer_scene::View;
+use lancer_words::Lang;
 use std::path::Path;
 use std::sync::Arc;
-use lancer_words::Lang;
 
 /// Everything that a panel shows. A panel is a function of this and of its own memory in egui.
 #[derive(Clone, Copy, Debug)]

@@ -378,10 +378,9 @@ impl Entry {
             Entry::Redo => document.history().redoable().map(|_| vec![Action::Redo]),
             Entry::Duplicate => run(arrange::duplicated(stage, selection.iter())),
             Entry::Delete => run(arrange::deleted(stage, selection.iter())),
-            Entry::Rename => selection
-                .primary()
-                .filter(|item| item.name().is_some())
-                .map(|item| vec![Action::Rename(item.clone())]),
+            Entry::Rename => {
+                selection.primary().filter(|item| item.name().is_some()).map(|item| vec![Action::Rename(item.clone())])
+            }
             Entry::ToggleVisible => {
                 let hide = arrange::shown(stage, selection.iter(), false);
                 run(hide.or_else(|| arrange::shown(stage, selection.iter(), true)))
@@ -448,7 +447,12 @@ impl Entry {
 
     /// Every entry that has keys.
     pub fn with_keys() -> impl Iterator<Item = Entry> {
-        MENUS.iter().flat_map(|(_, _, groups)| groups.iter()).flat_map(|group| group.iter()).copied().filter(|entry| !entry.keys().is_empty())
+        MENUS
+            .iter()
+            .flat_map(|(_, _, groups)| groups.iter())
+            .flat_map(|group| group.iter())
+            .copied()
+            .filter(|entry| !entry.keys().is_empty())
     }
 }
 

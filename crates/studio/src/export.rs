@@ -66,12 +66,12 @@ impl Exports {
             let progress = |now: u64, all: u64| {
                 let thousandths = (now * 1000 / all.max(1)) as u32;
                 if done.swap(thousandths, Ordering::Relaxed) / 10 != thousandths / 10 {
-                    ctx.request_repaint();
+                    ctx.request_repaint_of(egui::ViewportId::ROOT);
                 }
             };
             // a window that is gone wants no news
             let _ = result.send(run(path, format, from, &cancel, progress));
-            ctx.request_repaint();
+            ctx.request_repaint_of(egui::ViewportId::ROOT);
         });
         self.0.push(export);
     }

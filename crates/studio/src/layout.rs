@@ -21,8 +21,13 @@ pub struct Layout {
 
 impl Default for Layout {
     fn default() -> Layout {
-        Layout { tree: Tree::empty("views"), detached: Vec::new() }
+        Layout { tree: Tree::empty(id()), detached: Vec::new() }
     }
+}
+
+/// The tree's identity in the window.
+fn id() -> egui::Id {
+    egui::Id::unique("views")
 }
 
 /// Every pane has its bar, and nothing else is kept around it.
@@ -40,7 +45,7 @@ impl Layout {
     /// The first two views side by side.
     pub fn of(stage: &Stage) -> Layout {
         let panes = stage.views.iter().take(2).map(|view| Pane { view: view.name.to_string() });
-        Layout { tree: Tree::new_horizontal("views", panes.collect()), detached: Vec::new() }
+        Layout { tree: Tree::new_horizontal(id(), panes.collect()), detached: Vec::new() }
     }
 
     /// Keeps the panes of views that exist; where none is left, the first two views are shown.
@@ -108,9 +113,10 @@ impl Layout {
 
     /// Puts a new tile beside another one, in half of its place.
     fn insert(&mut self, tile: TileId, beside: Option<TileId>, dir: LinearDir) {
+        let root = self.tree.root();
         let tiles = &mut self.tree.tiles;
-        let Some(mut beside) = beside.or(self.tree.root()) else {
-            self.tree = Tree::new("views", tile, std::mem::take(tiles));
+        let Some(mut beside) = beside.or(root) else {
+            self.tree = Tree::new(id(), tile, std::mem::take(tiles));
             return;
         };
         // the bar of tabs around a pane belongs to it
@@ -133,7 +139,7 @@ impl Layout {
         let both = tiles.insert_container(Linear::new(dir, vec![beside, tile]));
         match parent.and_then(|parent| tiles.get_mut(parent)) {
             Some(Tile::Container(container)) => replace(container, beside, both),
-            Some(Tile::Pane(_)) | None => self.tree = Tree::new("views", both, std::mem::take(tiles)),
+            Some(Tile::Pane(_)) | None => self.tree = Tree::new(id(), both, std::mem::take(tiles)),
         }
     }
 
@@ -209,7 +215,7 @@ fn replace(container: &mut Container, old: TileId, new: TileId) {
         Container::Grid(grid) => {
             let place = grid.children().position(|child| *child == old);
             if let Some(place) = place {
-                grid.replace_at(place, new);
+                let _old = grid.replace_at(place, new);
             }
         }
     }

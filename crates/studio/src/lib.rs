@@ -6,6 +6,7 @@
 
 pub mod action;
 pub mod app;
+pub mod arguments;
 mod bars;
 pub mod chrome;
 pub mod context;
@@ -14,6 +15,7 @@ pub mod entry;
 mod export;
 pub mod fields;
 mod files;
+pub mod launch;
 pub mod layout;
 mod modals;
 pub mod panels;

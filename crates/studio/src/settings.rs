@@ -78,8 +78,7 @@ impl Settings {
 
     /// What was stored, with values brought into their ranges: a settings file can be edited by hand.
     pub fn restored(storage: Option<&dyn eframe::Storage>) -> Settings {
-        let mut settings: Settings =
-            storage.and_then(|storage| eframe::get_value(storage, KEY)).unwrap_or_default();
+        let mut settings: Settings = storage.and_then(|storage| eframe::get_value(storage, KEY)).unwrap_or_default();
         let zoom = settings.zoom;
         settings.zoom = if zoom.is_finite() { zoom.clamp(*Settings::ZOOM.start(), *Settings::ZOOM.end()) } else { 1.0 };
         settings.recent.truncate(MOST_RECENT);

@@ -40,7 +40,7 @@ impl Swatches {
                 if results.send((surface, picture)).is_err() {
                     return;
                 }
-                ctx.request_repaint();
+                ctx.request_repaint_of(egui::ViewportId::ROOT);
             }
         });
         Swatches { known: RefCell::default(), orders, done }

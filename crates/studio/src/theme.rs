@@ -70,7 +70,7 @@ impl Palette {
         warning: rgb(0xe8_b0_4c),
         error: rgb(0xf0_7a_70),
         success: rgb(0x74_c6_8c),
-        grid: Color32::from_white_alpha(90),
+        grid: Color32::from_rgba_premultiplied(90, 90, 90, 90),
         axes: [rgb(0xf0_7a_7a), rgb(0x8c_d0_70), rgb(0x7a_b0_f8)],
     };
 
@@ -91,7 +91,7 @@ impl Palette {
         warning: rgb(0x8f_5c_00),
         error: rgb(0xb3_2a_20),
         success: rgb(0x1f_74_3c),
-        grid: Color32::from_white_alpha(90),
+        grid: Color32::from_rgba_premultiplied(90, 90, 90, 90),
         axes: [rgb(0xf0_7a_7a), rgb(0x8c_d0_70), rgb(0x7a_b0_f8)],
     };
 

@@ -64,7 +64,8 @@ impl Browser {
             .filter_map(|entry| {
                 let name = entry.file_name().to_string_lossy().into_owned();
                 let is_folder = entry.path().is_dir();
-                let extension = Path::new(&name).extension().map(|extension| extension.to_string_lossy().to_lowercase());
+                let extension =
+                    Path::new(&name).extension().map(|extension| extension.to_string_lossy().to_lowercase());
                 let fits = wanted.is_none_or(|wanted| extension.is_some_and(|extension| wanted.contains(&extension)));
                 (!name.starts_with('.') && (is_folder || fits)).then_some(Row { name, is_folder })
             })

@@ -51,7 +51,7 @@ impl Dialogs for SystemDialogs {
             };
             // a window that has gone on to another question wants no reply
             let _ = answer.send(reply);
-            ctx.request_repaint();
+            ctx.request_repaint_of(egui::ViewportId::ROOT);
         });
     }
 

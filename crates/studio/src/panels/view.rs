@@ -18,7 +18,13 @@ pub struct Tools<'a> {
 }
 
 /// Shows the pane of a view; gives what the user wants.
-pub fn show(ui: &mut Ui, context: &Context<'_>, live: &mut LiveView, view: &Arc<View>, tools: Tools<'_>) -> Vec<Action> {
+pub fn show(
+    ui: &mut Ui,
+    context: &Context<'_>,
+    live: &mut LiveView,
+    view: &Arc<View>,
+    tools: Tools<'_>,
+) -> Vec<Action> {
     let whole = ui.available_rect_before_wrap();
     let (area, line) = whole.split_top_bottom_at_y(whole.bottom() - view::FOOTER);
     ui.painter().rect_filled(area, 0.0, context.palette.ground);
@@ -34,8 +40,7 @@ pub fn show(ui: &mut Ui, context: &Context<'_>, live: &mut LiveView, view: &Arc<
     let world = live.session().world().cloned();
     let pointer = response.hover_pos().filter(|place| mapping.rect.contains(*place));
     let under = live.under.clone();
-    let scope =
-        Scope { context, view, mapping, world: world.as_deref(), picture: live.size(), under: under.as_ref() };
+    let scope = Scope { context, view, mapping, world: world.as_deref(), picture: live.size(), under: under.as_ref() };
     let mut actions = focus(ui, context, &response, live, view);
     actions.extend(view::follow(ui, &response, &scope, &mut live.gesture, &mut live.marking));
 
@@ -101,8 +106,8 @@ fn focus(ui: &Ui, context: &Context<'_>, response: &Response, live: &mut LiveVie
             memory.set_focus_lock_filter(response.id, keys);
         });
     }
+    let here = response.has_focus() || response.hovered();
     let (marks, escapes) = ui.input_mut(|input| {
-        let here = response.has_focus() || response.hovered();
         let marks = here && !input.modifiers.any() && input.key_pressed(Key::R);
         (marks, live.marking && input.consume_key(Modifiers::NONE, Key::Escape))
     });

@@ -104,11 +104,8 @@ fn read_out(ui: &mut Ui, live: &LiveView, scope: &Scope<'_>, pointer: Pos2) {
 
 /// A length in four digits.
 fn length(lang: Lang, length: f64) -> String {
-    let text = if length != 0.0 && !(1e-3..1e5).contains(&length) {
-        format!("{length:.3e}")
-    } else {
-        format!("{length:.3}")
-    };
+    let text =
+        if length != 0.0 && !(1e-3..1e5).contains(&length) { format!("{length:.3e}") } else { format!("{length:.3}") };
     match lang {
         Lang::English => text,
         Lang::French => text.replace('.', ","),

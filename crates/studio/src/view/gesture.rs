@@ -267,9 +267,12 @@ fn pulse(ui: &Ui, response: &Response, scope: &Scope<'_>, gesture: &mut Option<G
 /// Adds what the arrow and page keys ask for.
 fn keys(ui: &Ui, scope: &Scope<'_>, step: &mut Travel) {
     let pressed = |modifiers: Modifiers, key: Key| ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
-    for (key, right, down) in
-        [(Key::ArrowLeft, -1.0, 0.0), (Key::ArrowRight, 1.0, 0.0), (Key::ArrowUp, 0.0, -1.0), (Key::ArrowDown, 0.0, 1.0)]
-    {
+    for (key, right, down) in [
+        (Key::ArrowLeft, -1.0, 0.0),
+        (Key::ArrowRight, 1.0, 0.0),
+        (Key::ArrowUp, 0.0, -1.0),
+        (Key::ArrowDown, 0.0, 1.0),
+    ] {
         let shifts = pressed(Modifiers::SHIFT, key) as f64;
         let by = scope.mapping.movement(Vec2::splat(POINTS_A_KEY));
         step.shift = (step.shift.0 + shifts * right * by.0, step.shift.1 + shifts * down * by.1);

@@ -12,7 +12,6 @@ use std::time::{Duration, Instant};
 const OLD: Duration = Duration::from_millis(150);
 
 /// A view while it is shown.
-#[derive(Debug)]
 pub struct LiveView {
     session: Session,
     /// What the session renders.
@@ -37,6 +36,12 @@ pub struct LiveView {
     started: Instant,
     /// Some picture was complete before.
     complete: bool,
+}
+
+impl std::fmt::Debug for LiveView {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LiveView").field("session", &self.session).finish_non_exhaustive()
+    }
 }
 
 impl LiveView {

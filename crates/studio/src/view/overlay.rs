@@ -43,7 +43,8 @@ pub fn draw(
             let [color] = [palette.axes[axis_number(*axis)]];
             // towards the eye the line ends where it can still be projected
             let ends = [-1.0, 1.0].map(|side| {
-                (0..40).map(|halving| drag.grabbed + along * (side * reach / f64::from(1 << halving.min(30))))
+                (0..40)
+                    .map(|halving| drag.grabbed + along * (side * reach / f64::from(1 << halving.min(30))))
                     .find_map(|point| camera.project(point))
             });
             if let [Some(a), Some(b)] = ends {
@@ -78,7 +79,8 @@ fn ground_grid(painter: &Painter, grid: &Grid, palette: &Palette, on_screen: &dy
         for line in axis {
             let line = on_screen(line);
             halo(painter, line.clone(), color, 1.5);
-            let seen = line.last().and_then(|end| line.first().and_then(|start| clipped(*start, *end, painter.clip_rect())));
+            let seen =
+                line.last().and_then(|end| line.first().and_then(|start| clipped(*start, *end, painter.clip_rect())));
             if let Some(place) = seen {
                 label(painter, place, letter, color);
             }

@@ -57,13 +57,12 @@ impl Picker {
                     if purpose == Purpose::Hover && place != last {
                         continue;
                     }
-                    let picked =
-                        Camera::new(&view).ok().and_then(|camera| world.pick(&camera.ray(point.0, point.1)));
+                    let picked = Camera::new(&view).ok().and_then(|camera| world.pick(&camera.ray(point.0, point.1)));
                     if results.send(Answer { view: view.name.clone(), point, purpose, picked }).is_err() {
                         return;
                     }
                 }
-                ctx.request_repaint();
+                ctx.request_repaint_of(egui::ViewportId::ROOT);
             }
         });
         Picker { questions, answers }

@@ -139,6 +139,16 @@ phrases! {
     /// Files may be dropped.
     drop_here() { "Drop a scene, a document of views or a mesh", "Déposez une scène, un document de vues ou un maillage" }
 
+    /// The help of the command line.
+    usage() {
+        "The interactive editor of lancer: live ray-traced views of one scene.\n\nUsage: lancer-studio [OPTIONS] [SCENE] [VIEWS]...\n\nArguments:\n  [SCENE]     A scene: XML, binary, or a document of 2009\n  [VIEWS]...  Documents of views; without one the views beside the scene are shown\n\nOptions:\n      --lang <LANG>  The language: en or fr\n  -h, --help         Print this help\n  -V, --version      Print the version",
+        "L'éditeur interactif de lancer : des vues d'une scène, calculées en direct par lancer de rayon.\n\nUsage : lancer-studio [OPTIONS] [SCÈNE] [VUES]...\n\nArguments :\n  [SCÈNE]    Une scène : XML, binaire, ou un document de 2009\n  [VUES]...  Des documents de vues ; sans eux, les vues à côté de la scène sont affichées\n\nOptions :\n      --lang <LANGUE>  La langue : en ou fr\n  -h, --help           Afficher cette aide\n  -V, --version        Afficher la version",
+    }
+    /// An argument that does not exist.
+    wrong_argument(argument) {
+        "lancer-studio does not know the argument {argument}: lancer-studio --help lists what it knows.",
+        "lancer-studio ne connaît pas l'argument {argument} : lancer-studio --help donne ceux qu'il connaît.",
+    }
     /// No system library.
     missing_library(library, package) {
         "lancer-studio needs the library {library}, which is not on this machine: install it, on Debian or Ubuntu with «apt install {package}». The command line program lancer works without it.",
