@@ -4,9 +4,12 @@
 //! Fresnel's share at normal incidence, `((n-1)/(n+1))²`. The model's coefficients do not change with the angle, so
 //! both are what is seen from straight above.
 
-use lancer_scene::{DVec3, Object, PointLight, Rgb, Scene, ScreenSpec, Shape, Steps, Surface, View};
-use lancer_scene::{Environment, Highlight, Material, MaterialRef, Reflectance};
+use lancer_scene::{
+    DVec3, Environment, Highlight, MaterialRef, Mesh, MeshGeometry, Object, Placement, PointLight, Reflectance, Rgb,
+    Scene, ScreenSpec, Shape, Steps, Surface, View,
+};
 use lancer_words::{Lang, preset as words};
+use std::sync::Arc;
 
 /// A material to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -231,8 +234,8 @@ impl Preset {
             Preset::Iron => metal(0.562, 0.565, 0.578),
             Preset::Mirror => Surface { ka: Rgb::BLACK, kd: Rgb::BLACK, kr: Rgb::WHITE, ..Surface::default() },
             Preset::Glass => clear(Rgb::splat(1.5168), Rgb::WHITE),
-            Preset::FlintGlass => clear(Rgb::new(1.7209, 1.7283, 1.7465), Rgb::WHITE),
-            Preset::BottleGlass => clear(Rgb::splat(1.5168), Rgb::new(0.35, 0.75, 0.4)),
+            Preset::FlintGlass => clear(Rgb::new(1.7209, 1.7283, 1.7464), Rgb::WHITE),
+            Preset::BottleGlass => clear(Rgb::splat(1.5168), Rgb::new(0.5, 0.82, 0.55)),
             Preset::Water => clear(Rgb::splat(1.333), Rgb::new(0.94, 0.98, 1.0)),
             Preset::Ice => clear(Rgb::splat(1.309), Rgb::new(0.88, 0.95, 1.0)),
             Preset::Diamond => clear(Rgb::splat(2.419), Rgb::WHITE),
@@ -267,47 +270,33 @@ impl Preset {
     }
 }
 
-/// What a swatch of a surface shows: a ball of it before a room with a lamp, and the view of it, `side` pixels wide and
-/// high.
+/// What a swatch of a surface shows: a ball of it on a chequered floor before a chequered wall, something for a mirror
+/// to show and for glass to bend; and the view of it, `side` pixels wide and high.
 pub fn swatch(surface: &Surface, side: u32) -> (Scene, View) {
     let ball = Object {
-        material: MaterialRef::Inline(std::sync::Arc::new(surface.clone())),
+        material: MaterialRef::Inline(Arc::new(surface.clone())),
         ..Object::new("ball", Shape::Sphere { center: DVec3::new(0.0, 1.0, 0.0), radius: 1.0 })
     };
-    let plain = |name: &str, color: [f64; 3]| Material { name: name.into(), surface: opaque(color, 0.0, 30.0, 0.0) };
-    let mut objects = vec![ball];
-    // a chequered floor and wall: something for a mirror to show and for glass to bend
-    for row in -2..3_i32 {
-        for column in -3..3_i32 {
-            let dark = (row + column).rem_euclid(2) == 0;
-            let tile = |name: String, origin: DVec3, edges: [DVec3; 3]| Object {
-                material: MaterialRef::Named(if dark { "dark" } else { "light" }.into()),
-                ..Object::new(name, Shape::Parallelepiped { origin, edges })
-            };
-            let (x, z) = (f64::from(column), f64::from(row));
-            let floor = DVec3::new(x, -0.1, z);
-            let flat = [DVec3::X * 0.999, DVec3::Y * 0.1, DVec3::Z * 0.999];
-            objects.push(tile(format!("floor {row} {column}"), floor, flat));
-            let wall = DVec3::new(x, z + 2.0, -2.6);
-            let upright = [DVec3::X * 0.999, DVec3::Y * 0.999, DVec3::Z * 0.1];
-            objects.push(tile(format!("wall {row} {column}"), wall, upright));
-        }
-    }
+    let tiles = |name: &str, color: [f64; 3], odd: i32| Object {
+        material: MaterialRef::Inline(Arc::new(opaque(color, 0.0, 30.0, 0.0))),
+        ..Object::new(name, Shape::Mesh(tiles(odd)))
+    };
     let scene = Scene {
-        name: String::new(),
         world: Environment {
-            ambient: Rgb::splat(0.35),
-            background: Rgb::new(0.55, 0.62, 0.72),
+            ambient: Rgb::splat(0.4),
+            background: Rgb::new(0.72, 0.79, 0.88),
             ..Environment::default()
         },
-        materials: [plain("dark", [0.28, 0.3, 0.34]), plain("light", [0.8, 0.78, 0.74])].into_iter().collect(),
         lights: [
             PointLight { color: Rgb::splat(0.85), ..PointLight::new("lamp", DVec3::new(-3.0, 5.0, 4.0)) },
-            PointLight { color: Rgb::splat(0.2), ..PointLight::new("fill", DVec3::new(4.0, 3.0, 3.0)) },
+            PointLight { color: Rgb::splat(0.25), ..PointLight::new("fill", DVec3::new(4.0, 3.0, 3.0)) },
         ]
         .into_iter()
         .collect(),
-        objects: objects.into_iter().collect(),
+        objects: [ball, tiles("dark", [0.3, 0.33, 0.38], 1), tiles("light", [0.85, 0.83, 0.8], 0)]
+            .into_iter()
+            .collect(),
+        ..Scene::default()
     };
     let view = View {
         name: "swatch".into(),
@@ -315,9 +304,28 @@ pub fn swatch(surface: &Surface, side: u32) -> (Scene, View) {
         height: side.max(1),
         eye: DVec3::new(0.0, 1.6, 5.0),
         screen: ScreenSpec::LookAt { look_at: DVec3::new(0.0, 0.95, 0.0), up: DVec3::Y, fov: 27.0 },
-        samples: 3,
+        samples: 2,
         depth: None,
         steps: Steps::default(),
     };
     (scene, view)
+}
+
+/// Every other square of a floor, z from -3 to 5, and of the wall at its end.
+fn tiles(odd: i32) -> Mesh {
+    let mut geometry = MeshGeometry::default();
+    let mut square = |corner: DVec3, along: DVec3| {
+        let first = geometry.positions.len() as u32;
+        geometry.positions.extend([corner, corner + along, corner + along + DVec3::X, corner + DVec3::X]);
+        geometry.facets.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+    };
+    for column in -4..4_i32 {
+        for row in (-3..5_i32).filter(|row| (row + column).rem_euclid(2) == odd) {
+            square(DVec3::new(f64::from(column), 0.0, f64::from(row)), DVec3::Z);
+        }
+        for row in (0..4_i32).filter(|row| (row + column).rem_euclid(2) == odd) {
+            square(DVec3::new(f64::from(column), f64::from(row), -3.0), DVec3::Y);
+        }
+    }
+    Mesh { geometry: Arc::new(geometry), source: None, placement: Placement::default(), smooth: false }
 }

@@ -161,8 +161,9 @@ fn patch(p0: DVec3, u: DVec3, v: DVec3, camera: &Camera) -> Vec<Polyline> {
 
 /// A star of one size on every picture where a lamp is.
 fn star(position: DVec3, camera: &Camera) -> Vec<Polyline> {
+    let (width, height) = (f64::from(camera.width()), f64::from(camera.height()));
     let Some((x, y)) = camera.project(position) else { return Vec::new() };
-    if !inside(camera, (x, y)) {
+    if !((-STAR..=width + STAR).contains(&x) && (-STAR..=height + STAR).contains(&y)) {
         return Vec::new();
     }
     let ray = |dx: f64, dy: f64| vec![(x + dx * 0.4, y + dy * 0.4), (x + dx, y + dy)];
@@ -244,15 +245,17 @@ fn decimal_step(distance: f64) -> f64 {
 
 /// Polylines of lines of space, each clipped and projected.
 fn segments(lines: &[[DVec3; 2]], camera: &Camera) -> Vec<Polyline> {
-    lines.iter().filter_map(|&[a, b]| segment(a, b, camera)).map(|(a, b)| vec![a, b]).collect()
+    let picture = Picture::of(camera);
+    lines.iter().filter_map(|&[a, b]| picture.segment(a, b)).map(|(a, b)| vec![a, b]).collect()
 }
 
 /// A line through points of space, projected, in as many pieces as clipping leaves.
 fn projected(points: &[DVec3], camera: &Camera) -> Vec<Polyline> {
+    let picture = Picture::of(camera);
     let mut pieces: Vec<Polyline> = Vec::new();
     for pair in points.windows(2) {
         let &[a, b] = pair else { continue };
-        let Some((a, b)) = segment(a, b, camera) else { continue };
+        let Some((a, b)) = picture.segment(a, b) else { continue };
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&a) => piece.push(b),
             _ => pieces.push(vec![a, b]),
@@ -264,51 +267,59 @@ fn projected(points: &[DVec3], camera: &Camera) -> Vec<Polyline> {
 /// What is nearer to the eye's plane than this part of the screen's distance is cut off.
 const NEAR: f64 = 1e-4;
 
-/// A line of space in the picture; `None` where all of it is behind the eye or far outside.
-fn segment(a: DVec3, b: DVec3, camera: &Camera) -> Option<((f64, f64), (f64, f64))> {
-    let screen = camera.screen();
-    let normal = screen.u.cross(screen.v);
-    let plane = normal.dot(screen.origin - camera.eye());
-    // 1 on the screen, 0 at the eye
-    let depth = |point: DVec3| normal.dot(point - camera.eye()) / plane;
-    let (da, db) = (depth(a), depth(b));
-    if !(da.is_finite() && db.is_finite()) || (da < NEAR && db < NEAR) {
-        return None;
-    }
-    let cut = || a + (b - a) * ((NEAR - da) / (db - da));
-    let a_cut = if da < NEAR { cut() } else { a };
-    let b_cut = if db < NEAR { cut() } else { b };
-    within(camera, camera.project(a_cut)?, camera.project(b_cut)?)
+/// A camera as lines are clipped by it: a point of space becomes `(X, Y, D)` with `D` = 0 at the eye and 1 on the
+/// screen, its pixel is `(X/D, Y/D)`. All three are linear in the point, so that clipping is exact before the division.
+struct Picture {
+    eye: DVec3,
+    /// The rows of the projection.
+    rows: [DVec3; 3],
+    width: f64,
+    height: f64,
 }
 
-/// Whether a point lies in the picture or less than a picture's size away from it.
-fn inside(camera: &Camera, (x, y): (f64, f64)) -> bool {
-    let (width, height) = (f64::from(camera.width()), f64::from(camera.height()));
-    (-width..=2.0 * width).contains(&x) && (-height..=2.0 * height).contains(&y)
-}
-
-/// The part of a line within three by three pictures around this one (Liang and Barsky 1984).
-fn within(camera: &Camera, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
-    if inside(camera, a) && inside(camera, b) {
-        return Some((a, b));
+impl Picture {
+    fn of(camera: &Camera) -> Picture {
+        let (eye, screen) = (camera.eye(), camera.screen());
+        let (width, height) = (f64::from(camera.width()), f64::from(camera.height()));
+        let normal = screen.u.cross(screen.v);
+        let to_origin = screen.origin - eye;
+        let depth = normal / normal.dot(to_origin);
+        // the coordinates of a vector along u and v
+        let along_u = screen.v.cross(normal) / normal.length_squared();
+        let along_v = normal.cross(screen.u) / normal.length_squared();
+        let row = |along: DVec3, pixels: f64| (along - depth * along.dot(to_origin)) * pixels;
+        Picture { eye, rows: [row(along_u, width), row(along_v, height), depth], width, height }
     }
-    let (width, height) = (f64::from(camera.width()), f64::from(camera.height()));
-    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    let bounds = [(-dx, a.0 + width), (dx, 2.0 * width - a.0), (-dy, a.1 + height), (dy, 2.0 * height - a.1)];
-    for (towards, room) in bounds {
-        if towards == 0.0 {
-            if room < 0.0 {
-                return None;
+
+    /// A line of space in the picture, without what is behind the eye or outside of three by three pictures around this
+    /// one (Liang and Barsky 1984, in homogeneous coordinates).
+    fn segment(&self, a: DVec3, b: DVec3) -> Option<((f64, f64), (f64, f64))> {
+        let at = |point: DVec3| DVec3::from(self.rows.map(|row| row.dot(point - self.eye)));
+        let (a, b) = (at(a), at(b));
+        let (w, h) = (self.width, self.height);
+        let room = |p: DVec3| [p.z - NEAR, p.x + w * p.z, 2.0 * w * p.z - p.x, p.y + h * p.z, 2.0 * h * p.z - p.y];
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (before, after) in room(a).into_iter().zip(room(b)) {
+            let crossing = before / (before - after);
+            match (before >= 0.0, after >= 0.0) {
+                (true, true) => {}
+                (false, true) => from = from.max(crossing),
+                (true, false) => to = to.min(crossing),
+                (false, false) => return None,
             }
-        } else if towards < 0.0 {
-            from = from.max(room / towards);
-        } else {
-            to = to.min(room / towards);
         }
+        let pixel = |part: f64| {
+            let point = if part == 0.0 {
+                a
+            } else if part == 1.0 {
+                b
+            } else {
+                a + (b - a) * part
+            };
+            let (x, y) = (point.x / point.z, point.y / point.z);
+            // rounding may leave a hair outside
+            (x.is_finite() && y.is_finite()).then(|| (x.clamp(-w, 2.0 * w), y.clamp(-h, 2.0 * h)))
+        };
+        (from < to).then(|| Some((pixel(from)?, pixel(to)?))).flatten()
     }
-    let at = |part: f64| (a.0 + dx * part, a.1 + dy * part);
-    let (start, end) = (at(from), at(to));
-    (from <= to && start.0.is_finite() && start.1.is_finite() && end.0.is_finite() && end.1.is_finite())
-        .then_some((if from > 0.0 { start } else { a }, if to < 1.0 { end } else { b }))
 }

@@ -151,11 +151,14 @@ proptest! {
         if let Some(by) = drag.translation(to, Constraint::ViewPlane) {
             prop_assert!(by.is_finite());
             let (x, y) = camera.project(drag.grabbed + by).unwrap();
-            // rounded to a hundredth of a pixel's width; a pixel of a slanted screen may be much higher than wide
+            // a translation is rounded to a hundredth of a pixel's width: how much that is in the picture depends on the
+            // shape of the pixels and on how slanting they are seen
             let screen = camera.screen();
             let (w, h) = (screen.u / f64::from(view.width), screen.v / f64::from(view.height));
             let skewed = w.cross(h).length() / w.length().max(h.length()).powi(2);
-            let allowed = 0.05 * (w.length() / h.length()).max(1.0) / skewed.max(1e-3);
+            let normal = screen.u.cross(screen.v).normalize();
+            let slant = 1.0 / camera.ray(to.0, to.1).direction.dot(normal).abs();
+            let allowed = 0.05 * slant * (w.length() / h.length()).max(1.0) / skewed;
             prop_assert!((x - to.0).abs() < allowed && (y - to.1).abs() < allowed, "{} {} {:?} {}", x, y, to, allowed);
         }
         for axis in Axis::ALL {

@@ -31,6 +31,10 @@ fn camera(eye: DVec3, look_at: DVec3) -> Camera {
     Camera::new(&view(eye, look_at)).unwrap()
 }
 
+fn near(a: (f64, f64), b: (f64, f64)) {
+    assert!((a.0 - b.0).hypot(a.1 - b.1) < 1e-9, "{a:?} {b:?}");
+}
+
 fn outline(shape: Shape, camera: &Camera) -> Vec<Polyline> {
     Wireframes::default().object(&Object::new("it", shape), camera)
 }
@@ -80,7 +84,7 @@ fn boxes_facets_and_planes_have_their_edges() {
     assert_eq!(outline(Shape::Cube { center: DVec3::ZERO, edge: 1.0, rotation: DVec3::Y }, &camera).len(), 12);
     let facet = outline(Shape::Facet { p0: DVec3::ZERO, p1: DVec3::X, p2: DVec3::Y }, &camera);
     assert_eq!(facet.iter().map(Vec::len).collect::<Vec<_>>(), [4]);
-    assert_eq!(facet[0][0], camera.project(DVec3::ZERO).unwrap());
+    near(facet[0][0], camera.project(DVec3::ZERO).unwrap());
     let plane = outline(Shape::Plane { p0: DVec3::ZERO, p1: DVec3::Z, p2: DVec3::X }, &camera);
     assert_eq!(plane.len(), 10, "four by four cells");
 }
@@ -105,7 +109,7 @@ fn a_small_mesh_shows_each_edge_once_and_a_large_one_its_box() {
     let placement = Placement { position: DVec3::Y, ..Placement::default() };
     let small = outline(mesh(Arc::new(fan(10)), placement.clone()), &camera);
     assert_eq!(small.len(), 21);
-    assert_eq!(small[0][0], camera.project(DVec3::Y).unwrap(), "where the placement brings it");
+    near(small[0][0], camera.project(DVec3::Y).unwrap());
     assert_eq!(outline(mesh(Arc::new(fan(5000)), placement.clone()), &camera).len(), 12);
     assert_eq!(outline(mesh(Arc::default(), placement), &camera), Vec::<Polyline>::new());
 }
@@ -196,7 +200,7 @@ proptest! {
         lines.extend(ground.minor.into_iter().chain(ground.major).chain(ground.axes.into_iter().flatten()));
         let (w, h) = (f64::from(view.width), f64::from(view.height));
         for (x, y) in lines.into_iter().flatten() {
-            prop_assert!(x >= -w - 10.0 && x <= 2.0 * w + 10.0 && y >= -h - 10.0 && y <= 2.0 * h + 10.0, "{} {}", x, y);
+            prop_assert!(x >= -w - 20.0 && x <= 2.0 * w + 20.0 && y >= -h - 20.0 && y <= 2.0 * h + 20.0, "{} {}", x, y);
         }
     }
 }
