@@ -236,18 +236,18 @@ impl Studio {
         });
         let side = Frame::new().fill(palette.panel);
         if settings.tabs {
-            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(190.0).size_range(80.0..=600.0);
+            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(170.0).size_range(80.0..=600.0);
             actions.extend(panel.show(ui, |ui| tabs(ui, &context)).inner);
         }
         if settings.outliner {
             let panel =
-                Panel::left("outliner").frame(side).resizable(true).default_size(230.0).size_range(160.0..=480.0);
+                Panel::left("outliner").frame(side).resizable(true).default_size(216.0).size_range(160.0..=480.0);
             let name = words::outliner(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::outliner::show)).inner);
         }
         if settings.properties {
             let panel =
-                Panel::right("properties").frame(side).resizable(true).default_size(290.0).size_range(220.0..=520.0);
+                Panel::right("properties").frame(side).resizable(true).default_size(276.0).size_range(220.0..=520.0);
             let name = words::properties(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::properties::show)).inner);
         }
@@ -321,7 +321,7 @@ fn titled(
 ) -> Vec<Action> {
     let bar = Frame::new().fill(context.palette.bar).inner_margin(Margin::symmetric(10, 4));
     Panel::top(egui::Id::unique(("title", name))).frame(bar).show(ui, |ui| {
-        ui.label(egui::RichText::new(name).small().strong().color(context.palette.weak));
+        ui.label(egui::RichText::new(name).font(theme::title_font(12.5)));
     });
     let inner = Frame::new().fill(context.palette.panel).inner_margin(Margin::same(8));
     CentralPanel::default().frame(inner).show(ui, |ui| show(ui, context)).inner

@@ -3,7 +3,8 @@
 //! Pictures are the only colourful thing in the window, so the greys around them lean to no hue that one would see.
 
 use egui::epaint::Shadow;
-use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Vec2};
+use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Vec2};
+use std::sync::Arc;
 
 /// The colours of a theme, by what they are for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,8 +115,32 @@ const ROUND: CornerRadius = CornerRadius::same(4);
 /// Corners of windows, menus and messages.
 const ROUNDER: CornerRadius = CornerRadius::same(8);
 
-/// Gives a window both themes, the icons and the sizes of text.
+/// The family of titles.
+const SEMIBOLD: &str = "semibold";
+
+/// The font of titles, in that size.
+pub fn title_font(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Name(SEMIBOLD.into()))
+}
+
+/// Inter for every text, with the toolkit's own fonts behind it for rare signs.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let behind = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
+    let faces: [(&str, &'static [u8], FontFamily); 2] = [
+        ("Inter", include_bytes!("../fonts/Inter-Regular.ttf"), FontFamily::Proportional),
+        ("Inter semibold", include_bytes!("../fonts/Inter-SemiBold.ttf"), FontFamily::Name(SEMIBOLD.into())),
+    ];
+    for (name, bytes, family) in faces {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+        fonts.families.insert(family, std::iter::once(name.to_owned()).chain(behind.iter().cloned()).collect());
+    }
+    fonts
+}
+
+/// Gives a window both themes, its fonts, the icons and the sizes of text.
 pub fn install(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
     egui_material_icons::initialize(ctx);
     for theme in [Theme::Dark, Theme::Light] {
         ctx.style_mut_of(theme, |style| dress(style, Palette::of(theme)));
@@ -126,9 +151,9 @@ fn dress(style: &mut Style, palette: &Palette) {
     let proportional = |size| FontId::new(size, FontFamily::Proportional);
     style.text_styles = [
         (TextStyle::Small, proportional(11.5)),
-        (TextStyle::Body, proportional(13.5)),
-        (TextStyle::Button, proportional(13.5)),
-        (TextStyle::Heading, proportional(17.0)),
+        (TextStyle::Body, proportional(13.0)),
+        (TextStyle::Button, proportional(13.0)),
+        (TextStyle::Heading, title_font(17.0)),
         (TextStyle::Monospace, FontId::new(12.5, FontFamily::Monospace)),
     ]
     .into();
@@ -136,7 +161,7 @@ fn dress(style: &mut Style, palette: &Palette) {
     let spacing = &mut style.spacing;
     spacing.item_spacing = Vec2::new(8.0, 6.0);
     spacing.button_padding = Vec2::new(8.0, 3.0);
-    spacing.interact_size = Vec2::new(40.0, 24.0);
+    spacing.interact_size = Vec2::new(36.0, 24.0);
     spacing.menu_margin = Margin::same(6);
     spacing.window_margin = Margin::same(16);
     spacing.menu_spacing = 2.0;

@@ -4,12 +4,19 @@ use crate::layout::{Pane, SIMPLIFICATION};
 use crate::panels::view::{self, Tools};
 use crate::view::{LiveView, Picker, header};
 use crate::{Action, Context, ViewAction};
-use egui::{Color32, Stroke, Ui, Visuals, WidgetText};
+use crate::theme;
+use egui::{Align2, Color32, CursorIcon, FontId, Role, Sense, Stroke, Ui, Visuals, WidgetInfo, WidgetText};
 use egui_tiles::{SimplificationOptions, TabState, Tile, TileId, UiResponse};
 use lancer_document::wireframe::Wireframes;
 use lancer_scene::View;
 use std::collections::BTreeMap;
+use lancer_words::studio::menu as words;
 use std::sync::Arc;
+
+/// Room on each side of a tab's title.
+const MARGIN: f32 = 10.0;
+/// Room for the cross that closes a tab.
+const CLOSE: f32 = 16.0;
 
 /// What the tiles are drawn from.
 pub(crate) struct Tiles<'a> {
@@ -47,27 +54,49 @@ impl egui_tiles::Behavior<Pane> for Tiles<'_> {
         pane.view.as_str().into()
     }
 
-    fn is_tab_closable(&self, _tiles: &egui_tiles::Tiles<Pane>, _tile: TileId) -> bool {
-        true
-    }
-
-    fn on_tab_close(&mut self, tiles: &mut egui_tiles::Tiles<Pane>, tile: TileId) -> bool {
-        if let Some(name) = self.view_of(tiles, tile) {
-            self.actions.push(Action::View(name.into(), ViewAction::Close));
-        }
-        false
-    }
-
-    fn on_tab_button(
+    fn tab_ui(
         &mut self,
         tiles: &mut egui_tiles::Tiles<Pane>,
+        ui: &mut Ui,
+        id: egui::Id,
         tile: TileId,
-        response: egui::Response,
+        state: &TabState,
     ) -> egui::Response {
-        if response.clicked()
-            && let Some(name) = self.view_of(tiles, tile)
-        {
-            self.actions.push(Action::View(name.into(), ViewAction::Focus));
+        let (palette, lang) = (self.context.palette, self.context.lang);
+        let view = self.view_of(tiles, tile).unwrap_or_default().to_owned();
+        let color = match (state.active, self.context.active == Some(view.as_str())) {
+            (true, true) => palette.text,
+            (true, false) | (false, _) => palette.weak,
+        };
+        let galley = ui.painter().layout_no_wrap(view.clone(), theme::title_font(12.5), color);
+        let height = ui.available_height();
+        let size = egui::vec2(galley.size().x + 2.0 * MARGIN + CLOSE, height);
+        let (_, rect) = ui.allocate_space(size);
+        let response = ui.interact(rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Grab);
+        response.widget_info(|| WidgetInfo::selected(Role::Tab, true, state.active, &view));
+        if state.is_being_dragged {
+            return response;
+        }
+        let place = egui::pos2(rect.left() + MARGIN, rect.center().y - galley.size().y / 2.0);
+        ui.painter().galley(place, galley, color);
+        if state.active && self.context.active == Some(view.as_str()) {
+            let line = rect.left() + 6.0..=rect.right() - 4.0;
+            ui.painter().hline(line, rect.bottom() - 1.0, Stroke::new(2.0, palette.accent));
+        }
+        let cross = egui::Rect::from_center_size(rect.right_center() - egui::vec2(CLOSE / 2.0 + 2.0, 0.0), egui::Vec2::splat(18.0));
+        let close = ui.interact(cross, id.with("close"), Sense::click());
+        let name = format!("{} · {view}", words::close_view(lang));
+        let close = crate::chrome::named(close, Role::Button, None, &name);
+        if close.hovered() || close.has_focus() {
+            ui.painter().rect_filled(cross, 4.0, palette.hover);
+        }
+        let icon = egui_material_icons::icons::ICON_CLOSE;
+        let font = FontId::new(13.0, icon.font_family());
+        ui.painter().text(cross.center(), Align2::CENTER_CENTER, icon.codepoint, font, palette.weak);
+        if close.clicked() || response.clicked_by(egui::PointerButton::Middle) {
+            self.actions.push(Action::View(view.as_str().into(), ViewAction::Close));
+        } else if response.clicked() {
+            self.actions.push(Action::View(view.as_str().into(), ViewAction::Focus));
         }
         response
     }
@@ -104,52 +133,12 @@ impl egui_tiles::Behavior<Pane> for Tiles<'_> {
         SIMPLIFICATION
     }
 
-    fn tab_title_spacing(&self, _visuals: &Visuals) -> f32 {
-        10.0
-    }
-
     fn tab_bar_color(&self, _visuals: &Visuals) -> Color32 {
         self.context.palette.bar
     }
 
-    fn tab_bg_color(
-        &self,
-        _visuals: &Visuals,
-        _tiles: &egui_tiles::Tiles<Pane>,
-        _tile: TileId,
-        _state: &TabState,
-    ) -> Color32 {
-        Color32::TRANSPARENT
-    }
-
-    fn tab_outline_stroke(
-        &self,
-        _visuals: &Visuals,
-        _tiles: &egui_tiles::Tiles<Pane>,
-        _tile: TileId,
-        _state: &TabState,
-    ) -> Stroke {
-        Stroke::NONE
-    }
-
     fn tab_bar_hline_stroke(&self, _visuals: &Visuals) -> Stroke {
         Stroke::new(1.0, self.context.palette.line)
-    }
-
-    fn tab_text_color(
-        &self,
-        _visuals: &Visuals,
-        tiles: &egui_tiles::Tiles<Pane>,
-        tile: TileId,
-        state: &TabState,
-    ) -> Color32 {
-        let palette = self.context.palette;
-        let active = self.view_of(tiles, tile).is_some() && self.view_of(tiles, tile) == self.context.active;
-        match (active, state.active) {
-            (true, _) => palette.accent,
-            (false, true) => palette.text,
-            (false, false) => palette.weak,
-        }
     }
 
     fn resize_stroke(&self, _style: &egui::Style, state: egui_tiles::ResizeState) -> Stroke {

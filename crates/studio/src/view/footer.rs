@@ -22,7 +22,9 @@ pub(crate) fn footer(ui: &mut Ui, rect: Rect, live: &LiveView, scope: &Scope<'_>
     if live.looks_old() {
         line.label(RichText::new(words::stale(lang)).small().color(palette.warning));
     }
+    let rest = line.available_rect_before_wrap();
     line.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        ui.set_clip_rect(ui.clip_rect().intersect(rest));
         ui.spacing_mut().item_spacing.x = 6.0;
         if let Some(pointer) = pointer {
             read_out(ui, live, scope, pointer);
