@@ -178,9 +178,9 @@ fn deleting_a_material_in_use_is_one_step() {
     assert_eq!(scene.check(), Ok(()));
     assert_eq!(scene.materials.len(), 1);
     assert_eq!(scene.objects[1].material, MaterialRef::Default);
-    let geometry = |place: usize| match &scene.objects[place].shape {
-        Shape::Mesh(mesh) => Arc::clone(&mesh.geometry),
-        other => panic!("{other:?}"),
+    let geometry = |place: usize| {
+        let Shape::Mesh(mesh) = &scene.objects[place].shape else { panic!("a mesh") };
+        Arc::clone(&mesh.geometry)
     };
     assert_eq!(geometry(0).parts[0].material, MaterialRef::Default);
     assert_eq!(geometry(0).parts[1].material, MaterialRef::Named("blue".into()));

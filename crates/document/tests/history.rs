@@ -5,7 +5,7 @@
 mod arbitrary;
 
 use arbitrary::stage;
-use lancer_document::gizmo::{moved, translated};
+use lancer_document::gizmo::{moved, place_of, translated};
 use lancer_document::insert::{NewItem, Standpoint};
 use lancer_document::{Document, Item, StepName, attribute};
 use lancer_scene::{DVec3, EditError, Invalid, Object, PointLight, Rgb, Shape, Stage, Surface};
@@ -32,10 +32,7 @@ fn ball() -> Item {
 }
 
 fn place(document: &Document) -> DVec3 {
-    match &document.stage().scene.objects[0].shape {
-        Shape::Sphere { center, .. } => *center,
-        other => panic!("{other:?}"),
-    }
+    place_of(document.stage(), &Item::Object(document.stage().scene.objects[0].name.clone())).unwrap()
 }
 
 #[test]

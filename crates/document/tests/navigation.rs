@@ -73,7 +73,8 @@ fn an_orbit_to_the_right_shows_the_left_side() {
 #[test]
 fn the_four_ways_of_a_screen_move_alike() {
     let pivot = TARGET;
-    let moves: [(&str, &dyn Fn(&View) -> View); 8] = [
+    type Move<'a> = (&'a str, &'a dyn Fn(&View) -> View);
+    let moves: [Move<'_>; 8] = [
         ("orbit", &|view| orbit(view, DVec3::Y, pivot, 33.0, -12.0)),
         ("over the pole", &|view| orbit(view, DVec3::Y, pivot, -70.0, 500.0)),
         ("pan", &|view| pan(view, pivot, 31.0, -17.0)),
