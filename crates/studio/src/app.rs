@@ -140,6 +140,11 @@ impl Studio {
         &self.model.document
     }
 
+    /// The views that are shown, in the order of their panes.
+    pub fn shown(&self) -> Vec<String> {
+        self.model.settings.layout.views()
+    }
+
     /// The messages that are shown.
     pub fn toasts(&self) -> &Toasts {
         &self.toasts
@@ -324,7 +329,17 @@ fn titled(
         ui.label(egui::RichText::new(name).font(theme::title_font(12.5)));
     });
     let inner = Frame::new().fill(context.palette.panel).inner_margin(Margin::same(8));
-    CentralPanel::default().frame(inner).show(ui, |ui| show(ui, context)).inner
+    CentralPanel::default().frame(inner).show(ui, |ui| held(ui, |ui| show(ui, context))).inner
+}
+
+/// What is shown never makes its panel larger: a panel has the size that the user gives it.
+fn held<R>(ui: &mut Ui, show: impl FnOnce(&mut Ui) -> R) -> R {
+    let rect = ui.available_rect_before_wrap();
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+    child.set_clip_rect(child.clip_rect().intersect(rect.expand(4.0)));
+    let result = show(&mut child);
+    ui.advance_cursor_after_rect(rect);
+    result
 }
 
 /// The tabs at the bottom.
@@ -357,12 +372,13 @@ fn tabs(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     });
     let inner = Frame::new().fill(palette.panel).inner_margin(Margin::same(8));
     CentralPanel::default().frame(inner).show(ui, |ui| {
-        actions.extend(match context.settings.tab {
-            Tab::Text => panels::text::show(ui, context),
-            Tab::Xml => panels::xml::show(ui, context),
-            Tab::Problems => panels::problems::show(ui, context),
-            Tab::History => panels::history::show(ui, context),
-        });
+        let show = match context.settings.tab {
+            Tab::Text => panels::text::show,
+            Tab::Xml => panels::xml::show,
+            Tab::Problems => panels::problems::show,
+            Tab::History => panels::history::show,
+        };
+        actions.extend(held(ui, |ui| show(ui, context)));
     });
     actions
 }

@@ -4,7 +4,7 @@ use crate::chrome::{icon_button, named};
 use crate::entry::{Entry, Groups, Kind, MENUS, Menu};
 use crate::view::LiveView;
 use crate::{Action, Context, FileAction, ViewAction, WindowAction};
-use egui::{Align, Button, Layout, MenuBar, RichText, Role, Ui};
+use egui::{Align, Button, Layout, MenuBar, RichText, Role, Ui, WidgetInfo};
 use egui_material_icons::icons as icon;
 use lancer_words::{Lang, number, studio::app, studio::menu as words, studio::view};
 use std::path::Path;
@@ -20,7 +20,7 @@ fn row(ui: &mut Ui, context: &Context<'_>, entry: Entry, actions: &mut Vec<Actio
     let response = match entry.checked(context) {
         Some(mut on) => ui.add_enabled_ui(wanted.is_some(), |ui| {
             ui.horizontal(|ui| {
-                let response = ui.checkbox(&mut on, text);
+                let response = ui.checkbox(&mut on, text.as_str());
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     ui.label(RichText::new(keys.unwrap_or_default()).color(context.palette.weak));
                 });
@@ -30,13 +30,15 @@ fn row(ui: &mut Ui, context: &Context<'_>, entry: Entry, actions: &mut Vec<Actio
         }),
         None => ui.scope(|ui| {
             let mut button = match entry.icon() {
-                Some(icon) => Button::new((icon.rich_text().size(16.0), text)),
-                None => Button::new((RichText::new(" ").size(16.0), text)),
+                Some(icon) => Button::new((icon.rich_text().size(16.0), text.as_str())),
+                None => Button::new((RichText::new(" ").size(16.0), text.as_str())),
             };
             if let Some(keys) = keys {
                 button = button.shortcut_text(RichText::new(keys).color(context.palette.weak));
             }
-            ui.add_enabled(wanted.is_some(), button)
+            let response = ui.add_enabled(wanted.is_some(), button);
+            response.widget_info(|| WidgetInfo::labeled(Role::MenuItem, wanted.is_some(), &text));
+            response
         }),
     };
     if response.inner.clicked() {
