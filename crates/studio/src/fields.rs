@@ -5,8 +5,8 @@
 
 use lancer_document::{Item, attribute};
 use lancer_scene::{
-    Compose, DVec3, Edit, Environment, Highlight, MaterialRef, Mesh, Object, PointLight, Reflectance, Rgb, Screen, ScreenSpec,
-    Shape, Stage, Steps, Surface, View,
+    Compose, DVec3, Edit, Environment, Highlight, MaterialRef, Mesh, Object, PointLight, Reflectance, Rgb, Screen,
+    ScreenSpec, Shape, Stage, Steps, Surface, View,
 };
 use std::sync::Arc;
 
@@ -403,7 +403,11 @@ mod tests {
                 steps: Steps::default(),
             };
             view.screen = ScreenKind::ALL[kind].convert(&view).unwrap();
-            items.push((Item::View(name.into()), Home::Item, vec![&vocabulary::VIEW, &vocabulary::EYE, &vocabulary::SCREEN]));
+            items.push((
+                Item::View(name.into()),
+                Home::Item,
+                vec![&vocabulary::VIEW, &vocabulary::EYE, &vocabulary::SCREEN],
+            ));
             views.push(view);
         }
         stage.views = views.into_iter().collect();

@@ -3,7 +3,9 @@
 //! Pictures are the only colourful thing in the window, so the greys around them lean to no hue that one would see.
 
 use egui::epaint::Shadow;
-use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Vec2};
+use egui::{
+    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Vec2,
+};
 use std::sync::Arc;
 
 /// The colours of a theme, by what they are for.

@@ -2,15 +2,15 @@
 
 use crate::layout::{Pane, SIMPLIFICATION};
 use crate::panels::view::{self, Tools};
+use crate::theme;
 use crate::view::{LiveView, Picker, header};
 use crate::{Action, Context, ViewAction};
-use crate::theme;
 use egui::{Align2, Color32, CursorIcon, FontId, Role, Sense, Stroke, Ui, Visuals, WidgetInfo, WidgetText};
 use egui_tiles::{SimplificationOptions, TabState, Tile, TileId, UiResponse};
 use lancer_document::wireframe::Wireframes;
 use lancer_scene::View;
-use std::collections::BTreeMap;
 use lancer_words::studio::menu as words;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Room on each side of a tab's title.
@@ -83,7 +83,10 @@ impl egui_tiles::Behavior<Pane> for Tiles<'_> {
             let line = rect.left() + 6.0..=rect.right() - 4.0;
             ui.painter().hline(line, rect.bottom() - 1.0, Stroke::new(2.0, palette.accent));
         }
-        let cross = egui::Rect::from_center_size(rect.right_center() - egui::vec2(CLOSE / 2.0 + 2.0, 0.0), egui::Vec2::splat(18.0));
+        let cross = egui::Rect::from_center_size(
+            rect.right_center() - egui::vec2(CLOSE / 2.0 + 2.0, 0.0),
+            egui::Vec2::splat(18.0),
+        );
         let close = ui.interact(cross, id.with("close"), Sense::click());
         let name = format!("{} · {view}", words::close_view(lang));
         let close = crate::chrome::named(close, Role::Button, None, &name);

@@ -71,8 +71,7 @@ fn filter(ui: &mut Ui, lang: Lang) -> String {
         ui.label(ICON_SEARCH.rich_text().weak());
         let room = if text.is_empty() { 0.0 } else { 30.0 };
         let width = (ui.available_width() - room).max(40.0);
-        let response =
-            ui.add(TextEdit::singleline(&mut text).hint_text(words::filter(lang)).desired_width(width));
+        let response = ui.add(TextEdit::singleline(&mut text).hint_text(words::filter(lang)).desired_width(width));
         let (enabled, name) = (response.enabled(), words::filter(lang));
         response.widget_info(|| WidgetInfo {
             label: Some(name.clone()),

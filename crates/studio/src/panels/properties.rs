@@ -10,7 +10,9 @@ use egui_material_icons::icons::ICON_RESTART_ALT;
 use lancer_document::number::NumberError;
 use lancer_document::{Item, StepName, arrange, attribute, presets};
 use lancer_formats::xml::vocabulary::{self, AttributeRule, ElementRule, Kind};
-use lancer_scene::{Edit, ListEdit, Material, MaterialRef, Mesh, Name, Object, Shape, Stage, Surface, first_free_name, limits};
+use lancer_scene::{
+    Edit, ListEdit, Material, MaterialRef, Mesh, Name, Object, Shape, Stage, Surface, first_free_name, limits,
+};
 use lancer_words::{number, studio::panels as words};
 use std::sync::Arc;
 
@@ -76,7 +78,9 @@ impl Sheet<'_, '_> {
     }
 
     fn object(&mut self, ui: &mut Ui, name: &Name) {
-        let Some(object) = self.stage().scene.objects.iter().find(|object| object.name == *name).cloned() else { return };
+        let Some(object) = self.stage().scene.objects.iter().find(|object| object.name == *name).cloned() else {
+            return;
+        };
         self.name(ui);
         self.heading(ui, &words::geometry(self.context.lang));
         let rule = element(&object.shape);
@@ -138,9 +142,8 @@ impl Sheet<'_, '_> {
         let Some(choice) = choice else { return };
         let step = attribute::set(self.item, "material");
         let stage = self.stage();
-        let put = |reference: MaterialRef| {
-            attribute::edit_object(stage, &object.name, |object| object.material = reference)
-        };
+        let put =
+            |reference: MaterialRef| attribute::edit_object(stage, &object.name, |object| object.material = reference);
         match choice {
             MaterialChoice::New(preset) => {
                 let surface = preset.map_or_else(|| stage.scene.surface(&object.material), presets::Preset::surface);
@@ -164,10 +167,8 @@ impl Sheet<'_, '_> {
         let lang = self.context.lang;
         ui.horizontal(|ui| {
             widgets::swatch(ui, self.context, &material.surface);
-            let chosen = ui
-                .menu_button(words::apply_preset(lang), |ui| widgets::preset_list(ui, self.context))
-                .inner
-                .flatten();
+            let chosen =
+                ui.menu_button(words::apply_preset(lang), |ui| widgets::preset_list(ui, self.context)).inner.flatten();
             if let Some(preset) = chosen {
                 let edit = attribute::edit_material(self.stage(), name, |material| material.surface = preset.surface());
                 let step = StepName::Set { item: name.clone(), attribute: "material" };
@@ -269,9 +270,8 @@ impl Sheet<'_, '_> {
         let default = fields::default(self.item, home, attribute.name).filter(|default| *default != value);
         let hint = hint(rule, attribute, lang);
         let mut refused = self.refused.take();
-        let change = self.row(ui, attribute.name, &hint, default, |ui, id| {
-            widget(ui, id, &value, attribute, lang, &mut refused)
-        });
+        let change = self
+            .row(ui, attribute.name, &hint, default, |ui, id| widget(ui, id, &value, attribute, lang, &mut refused));
         self.refused = refused;
         self.carry_out(attribute.name, home, change);
     }
@@ -408,7 +408,8 @@ fn widget(
     let name = attribute.name;
     let (least, greatest) = range(attribute.kind).unwrap_or((-limits::COORDINATE, limits::COORDINATE));
     let width = ui.available_width();
-    let number = |speed: f64, whole: bool| NumberField { name, prefix: "", range: least..=greatest, speed, whole, width };
+    let number =
+        |speed: f64, whole: bool| NumberField { name, prefix: "", range: least..=greatest, speed, whole, width };
     let triple = |speed: f64| Channels { name, range: least..=greatest, speed, lang };
     match value {
         Value::Flag(on) => {

@@ -12,7 +12,7 @@ pub fn color(ui: &mut Ui, id: Id, value: Rgb, field: &Channels<'_>, refused: &mu
         let mut bytes = value.to_bytes();
         let response = ui.color_edit_button_srgb(&mut bytes);
         let enabled = response.enabled();
-        response.widget_info(|| WidgetInfo::labeled(WidgetType::ColorButton, enabled, field.name));
+        response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, enabled, field.name));
         let picked = track(ui, id.with("picker"), response.changed().then(|| Rgb::from_bytes(bytes)));
         picked.or(channels(ui, id, value, field, refused))
     })

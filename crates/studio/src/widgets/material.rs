@@ -18,7 +18,13 @@ pub enum MaterialChoice {
 }
 
 /// Shows the material and a list of the others with their swatches.
-pub fn material(ui: &mut Ui, id: Id, chosen: &MaterialRef, context: &Context<'_>, name: &str) -> Option<MaterialChoice> {
+pub fn material(
+    ui: &mut Ui,
+    id: Id,
+    chosen: &MaterialRef,
+    context: &Context<'_>,
+    name: &str,
+) -> Option<MaterialChoice> {
     let (scene, lang) = (&context.document.stage().scene, context.lang);
     let mut choice = None;
     let shown = match chosen {

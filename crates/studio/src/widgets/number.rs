@@ -54,10 +54,8 @@ pub(super) fn raw(
         });
     let response = ui.add_sized([field.width, ui.spacing().interact_size.y], drag);
     let enabled = response.enabled();
-    response.widget_info(|| WidgetInfo {
-        label: Some(field.name.to_owned()),
-        ..WidgetInfo::drag_value(enabled, shown)
-    });
+    response
+        .widget_info(|| WidgetInfo { label: Some(field.name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });
     // the text is also read while it is typed; only what is left behind is refused
     if response.lost_focus() {
         *refused = error.into_inner().or(refused.take());
