@@ -158,7 +158,6 @@ fn name(name: &str) -> Result<(), Invalid> {
     let hidden = |character: char| character.is_control() || matches!(character, '\u{FFFE}' | '\u{FFFF}');
     if name.is_empty() || name.trim() != name || name.contains(hidden) { Err(Invalid::BadName) } else { Ok(()) }
 }
-}
 
 impl Environment {
     /// # Errors
