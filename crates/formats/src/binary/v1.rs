@@ -206,7 +206,7 @@ pub(super) fn write(scene: &model::Scene, file: &mut Vec<u8>) {
     };
     #[expect(clippy::expect_used, reason = "a Vec takes every byte, and every struct above has a form in CBOR")]
     ciborium::into_writer(&body, &mut *file).expect("the structs of version 1 can be written as CBOR");
-        for geometry in &geometries {
+    for geometry in &geometries {
         write_points(&geometry.positions, file);
         write_points(&geometry.normals, file);
         for facet in &geometry.facets {
@@ -257,9 +257,7 @@ impl Writer {
             material: self.material_ref(&object.material),
             visible: object.visible,
             shape: match &object.shape {
-                model::Shape::Sphere { center, radius } => {
-                    Shape::Sphere { center: center.to_array(), radius: *radius }
-                }
+                model::Shape::Sphere { center, radius } => Shape::Sphere { center: center.to_array(), radius: *radius },
                 model::Shape::Plane { p0, p1, p2 } => {
                     Shape::Plane { p0: p0.to_array(), p1: p1.to_array(), p2: p2.to_array() }
                 }
