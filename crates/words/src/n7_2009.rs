@@ -55,8 +55,8 @@ reports! {
     }
     /// Not as many points as are due.
     point_count(parent, found, due, meaning) {
-        "`<{parent}>` holds {found}, but {due} are due", "{meaning}", "one `<Point x=\"…\" y=\"…\" z=\"…\"/>` for each";
-        "« <{parent}> » contient {found}, mais il en faut {due}", "{meaning}",
+        "`<{parent}>` holds {found} instead of {due}", "{meaning}", "one `<Point x=\"…\" y=\"…\" z=\"…\"/>` for each";
+        "« <{parent}> » contient {found} au lieu de {due}", "{meaning}",
         "un « <Point x=\"…\" y=\"…\" z=\"…\"/> » pour chacun";
     }
     /// A colour of the scene before the last one.

@@ -61,10 +61,12 @@ impl<'d> Reader<'d> {
     pub(super) fn open(&mut self, element: Element<'d>, rule: &Rule) -> Vec<(&'static str, Element<'d>)> {
         for attribute in element.attributes() {
             if !attribute.is_reserved() && !rule.attributes.contains(&attribute.name) {
+                // Nothing can be guessed among names of one letter.
+                let words = rule.attributes.iter().copied().filter(|name| name.len() > 1);
                 let problem = N7Problem::UnknownAttribute {
                     name: Excerpt::new(attribute.name),
                     element: rule.name,
-                    guess: Guess::among(attribute.name, rule.attributes.iter().copied()),
+                    guess: Guess::among(attribute.name, words),
                     legal: rule.attributes,
                 };
                 self.sink.warning(attribute.name_span, problem);
