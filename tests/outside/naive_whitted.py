@@ -15,7 +15,7 @@ for variable in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
 import numpy as np
 
 from document import read_scene, read_view
-from shapes import dot, shape, unit
+from shapes import NEIGHBOUR, dot, shape, unit
 
 BATCH = 1 << 15
 
@@ -133,9 +133,11 @@ class Tracer:
         distance = np.sqrt(dot(way, way))
         L = way / np.where(distance > 0, distance, 1)[:, None]      # a lamp at the point itself gives nothing: L = 0
         cos_l = dot(Ns, L)
-        lit = np.flatnonzero((cos_l > 0) & (dot(Ng, L) > 0))
+        least = NEIGHBOUR * np.maximum(np.abs(P).max(1), np.abs(light.position).max())
+        lit = np.flatnonzero((cos_l > 0) & (dot(Ng, way) > least))  # a lamp in the surface's own plane is not in front of it
         if self.shadows and len(lit):
-            _, blocker, _ = self.nearest(P[lit], L[lit], thing[lit], facet[lit], far=distance[lit])
+            near = distance[lit] * (1 - NEIGHBOUR)                   # nor hidden by the surface that it lies on
+            _, blocker, _ = self.nearest(P[lit], L[lit], thing[lit], facet[lit], far=near)
             lit = lit[blocker < 0]
         diffuse, highlight = np.zeros_like(P), np.zeros_like(P)
         if len(lit):

@@ -156,14 +156,16 @@ class Facets:
         return N, np.where(size > 1e-12, M / np.maximum(size, 1e-300), N)
 
     def contains(self, P):
-        """By the solid angle of all facets: 4 pi within, 2 pi on a facet, 0 outside."""
+        """By the solid angle of all facets: 4 pi within, 0 outside; a point on a facet is outside."""
         if not self.closed:
             return False
         a, b, c = (self.corners[:, i] - P for i in range(3))
         la, lb, lc = (np.linalg.norm(x, axis=1) for x in (a, b, c))
         volume = dot(a, np.cross(b, c))
-        angle = 2 * np.arctan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb)
-        return abs(angle.sum()) > 3 * np.pi
+        base = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
+        if np.any((volume == 0) & (base <= 0)):     # arctan2(0, -x) is a half turn: the whole sphere from within the facet
+            return False
+        return abs(np.sum(2 * np.arctan2(volume, base))) > 3 * np.pi
 
 
 def rotation(degrees):

@@ -4,8 +4,8 @@
 
 use lancer::report;
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
-use lancer_formats::xml::{Document, read_scene, read_views};
-use lancer_formats::{Diagnostic, Source};
+use lancer_formats::xml::{Document, DocumentKind, read_scene, read_views};
+use lancer_formats::{Diagnostic, Source, n7_2009};
 use lancer_words::Lang;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -31,10 +31,12 @@ fn diagnose(name: &str, bytes: &[u8]) -> (Source, Vec<Diagnostic>) {
     match Document::read(name, bytes) {
         Err(malformed) => (malformed.source, vec![malformed.diagnostic]),
         Ok(document) => {
-            let diagnostics = if name.ends_with(".view.xml") {
-                read_views(&document).diagnostics
-            } else {
-                read_scene(&document, &mut AnyFile).diagnostics
+            let views = name.ends_with(".view.xml");
+            let diagnostics = match document.kind() {
+                Some(DocumentKind::Scene2009) if !views => n7_2009::read_scene(&document).diagnostics,
+                Some(DocumentKind::Views2009) if views => n7_2009::read_views(&document).diagnostics,
+                _ if views => read_views(&document).diagnostics,
+                _ => read_scene(&document, &mut AnyFile).diagnostics,
             };
             (document.source().clone(), diagnostics)
         }

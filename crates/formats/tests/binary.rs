@@ -1,16 +1,21 @@
 //! Binary scenes: exact, compact, shared, readable for ever, and refused whenever a byte is wrong.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "the helpers of tests may panic")]
+
 #[path = "../../scene/tests/arbitrary/mod.rs"]
 mod arbitrary;
 
 use arbitrary::{Extent, scene};
 use lancer_formats::Describe;
 use lancer_formats::binary::{BinaryProblem, is_binary, read_scene, write_scene};
+use lancer_formats::load::{FolderOfDocument, LoadOptions, load_scene};
+use lancer_formats::xml::{self, Document};
 use lancer_scene::{
     DVec3, Edit, Invalid, ListEdit, Mesh, MeshGeometry, Object, Placement, PointLight, Rgb, Scene, Shape, Stage,
 };
 use lancer_words::Lang;
 use proptest::prelude::*;
+use std::path::Path;
 use std::sync::Arc;
 
 /// One sphere, one lamp and a mesh of one facet.
@@ -36,6 +41,13 @@ fn small_scene() -> Scene {
 fn mesh(geometry: &Arc<MeshGeometry>, position: DVec3) -> Shape {
     let placement = Placement { position, ..Placement::default() };
     Shape::Mesh(Mesh { geometry: Arc::clone(geometry), source: None, placement, smooth: false })
+}
+
+fn read_xml(text: &str) -> Scene {
+    let document = Document::read("scene.xml", text.as_bytes()).unwrap();
+    let mut no_files = FolderOfDocument::new(Path::new("scene.xml"), LoadOptions::default());
+    let outcome = xml::read_scene(&document, &mut no_files);
+    outcome.value.unwrap_or_else(|| panic!("{:?}\n{text}", outcome.diagnostics))
 }
 
 /// The file with the bytes changed and then length and checksum made right again, as a hostile writer would.
@@ -67,6 +79,17 @@ proptest! {
         prop_assert_eq!(write_scene(&read), file);
     }
 
+    /// XML → binary → XML is the identity on the model, and so is XML itself on what it can hold.
+    #[test]
+    fn xml_and_binary_are_one_model(scene in scene(Extent::SelfContained)) {
+        let text = xml::write_scene(&scene);
+        let from_xml = read_xml(&text);
+        prop_assert_eq!(&from_xml, &scene);
+        let from_binary = read_scene(&write_scene(&from_xml)).unwrap();
+        prop_assert_eq!(&from_binary, &scene);
+        prop_assert_eq!(xml::write_scene(&from_binary), text);
+    }
+
     #[test]
     fn no_bytes_behind_a_right_checksum_make_the_reader_panic(at in any::<prop::sample::Index>(), bytes: [u8; 4]) {
         let file = forged(|file| {
@@ -77,6 +100,25 @@ proptest! {
             prop_assert_eq!(scene.check(), Ok(()));
         }
     }
+}
+
+/// Every scene that the project shows comes back through the binary format.
+#[test]
+fn the_scenes_of_the_project_come_back() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut count = 0;
+    for folder in std::fs::read_dir(scenes).unwrap() {
+        let folder = folder.unwrap().path();
+        for path in std::fs::read_dir(&folder).into_iter().flatten().map(|entry| entry.unwrap().path()) {
+            let name = path.to_string_lossy();
+            if name.ends_with(".xml") && !name.ends_with(".view.xml") {
+                let scene = load_scene(&path, &LoadOptions::default()).unwrap().value.unwrap();
+                assert_eq!(read_scene(&write_scene(&scene)), Ok(scene), "{name}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 12, "only {count} scenes");
 }
 
 #[test]

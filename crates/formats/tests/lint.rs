@@ -1,9 +1,13 @@
-//! What lint found, in words: every finding in both languages, whole.
+//! What lint found, in words: every finding in both languages, whole; and what it finds in the project's own scenes.
+
+#![allow(clippy::unwrap_used, reason = "the helpers of tests may panic")]
 
 use lancer_formats::Describe;
-use lancer_scene::{Bounce, Finding, Name, Owner};
+use lancer_formats::load::{LoadOptions, load_scene, load_views};
+use lancer_scene::{Bounce, Finding, Name, Owner, Weight, lint};
 use lancer_words::Lang;
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 fn name(name: &str) -> Name {
     name.into()
@@ -84,4 +88,44 @@ fn every_finding_has_a_code_of_its_own_and_names_what_it_is_about() {
             }
         }
     }
+}
+
+/// The documents of `scenes/`, without those of views.
+fn scenes() -> Vec<PathBuf> {
+    let folders = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")).unwrap();
+    let files = folders.flat_map(|folder| std::fs::read_dir(folder.unwrap().path()).into_iter().flatten());
+    let mut scenes: Vec<PathBuf> = files
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "xml"))
+        .filter(|path| !path.to_string_lossy().ends_with(".view.xml"))
+        .collect();
+    scenes.sort();
+    scenes
+}
+
+/// No false alarms: of all the scenes that the project shows, lint warns only of what they are there to show.
+#[test]
+fn the_scenes_of_the_project_are_sound() {
+    let meant = ["depth.xml: view `depth 0`: with depth 0 the mirror `far mirror` reflects nothing"];
+    let mut warned = Vec::new();
+    let scenes = scenes();
+    assert!(scenes.len() >= 12, "only {} scenes", scenes.len());
+    for path in scenes {
+        let scene = load_scene(&path, &LoadOptions::default()).unwrap().value.unwrap();
+        let views = load_views(&path.with_extension("view.xml"), &LoadOptions::default());
+        let views = views.ok().and_then(|views| views.value).unwrap_or_default();
+        // Not to know the eyes must not make it say more.
+        let blind: Vec<Finding> = lint(&scene, &[]);
+        let findings = lint(&scene, &views);
+        assert!(
+            blind.iter().all(|finding| finding.weight() == Weight::Note || findings.contains(finding)),
+            "{}: {blind:?}",
+            path.display()
+        );
+        for finding in findings.iter().filter(|finding| finding.weight() == Weight::Warning) {
+            let name = path.file_name().unwrap().to_string_lossy();
+            warned.push(format!("{name}: {}", finding.message(Lang::English)));
+        }
+    }
+    assert_eq!(warned, meant);
 }

@@ -5,7 +5,7 @@
 
 use lancer_formats::load::{self, LoadCause, LoadError, LoadOptions, Loaded};
 use lancer_formats::{Describe, Severity, binary, picture, ppm};
-use lancer_scene::{Mesh, Picture, Scene, Shape};
+use lancer_scene::{Mesh, Picture, Rgb, Scene, Shape};
 use lancer_words::Lang;
 use std::fs;
 use std::io::Write;
@@ -102,6 +102,22 @@ fn views_are_loaded_and_a_binary_scene_is_no_view() {
 }
 
 #[test]
+fn documents_of_2009_are_told_by_their_root() {
+    let folder = folder();
+    let path = folder.path().join("a.xml");
+    fs::write(&path, "<Scene><Couleur r=\"255\" v=\"0\" b=\"0\"/></Scene>").unwrap();
+    let loaded = load(&path);
+    assert_eq!(loaded.value.unwrap().world.ambient, Rgb::new(1.0, 0.0, 0.0));
+    assert!(loaded.document.is_none(), "saving uses the native format");
+    let views = load::load_views(&path, &LoadOptions::default()).unwrap();
+    assert_eq!(views.diagnostics[0].problem.code(), "xml::scene-for-views");
+
+    fs::write(&path, "<Rendu/>").unwrap();
+    assert!(load::load_views(&path, &LoadOptions::default()).unwrap().document.is_none());
+    assert_eq!(load(&path).diagnostics[0].problem.code(), "xml::views-for-scene");
+}
+
+#[test]
 fn a_document_that_is_not_well_formed_keeps_its_text_for_the_report() {
     let folder = folder();
     let path = folder.path().join("a.xml");
@@ -152,7 +168,7 @@ fn a_file_of_too_many_bytes_is_refused() {
 fn a_forbidden_file_is_refused() {
     let folder = folder();
     let path = scene_in(folder.path(), "");
-    fs::set_permissions(&path, fs::Permissions::from_mode(0)).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o000)).unwrap();
     if fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0) {
         return;
     }
@@ -186,7 +202,7 @@ fn a_mesh_that_is_named_twice_is_read_once_and_shared() {
 fn a_document_reaches_no_file_outside_its_folder() {
     let outer = folder();
     let folder = outer.path().join("scenes");
-    fs::create_dir(&folder).unwrap();
+    fs::create_dir_all(folder.join("a")).unwrap();
     fs::write(outer.path().join("secret.obj"), TRIANGLE).unwrap();
     fs::write(outer.path().join("secret.mtl"), "newmtl red").unwrap();
     symlink("../secret.obj", folder.join("link.obj")).unwrap();

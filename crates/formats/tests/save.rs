@@ -81,6 +81,21 @@ fn an_old_file_is_replaced_and_its_mode_kept() {
     assert_eq!(names(folder.path()), ["output.ppm"]);
 }
 
+/// Only root may give files away.
+#[test]
+fn the_owner_is_kept_where_the_system_lets_us() {
+    let folder = folder();
+    let path = folder.path().join("output.ppm");
+    fs::write(&path, OLD).unwrap();
+    let own = fs::metadata(&path).unwrap();
+    let owner = if is_root() { (own.uid() + 1, own.gid() + 1) } else { (own.uid(), own.gid()) };
+    std::os::unix::fs::chown(&path, Some(owner.0), Some(owner.1)).unwrap();
+    set_mode(&path, 0o2750);
+    save(&path, b"new").unwrap();
+    let kept = fs::metadata(&path).unwrap();
+    assert_eq!(((kept.uid(), kept.gid()), mode(&path)), (owner, 0o2750));
+}
+
 #[test]
 fn links_are_followed_and_stay() {
     let folder = folder();

@@ -44,4 +44,13 @@ pub enum Compose {
 impl Compose {
     /// Every way of composing, in the order in which menus show them.
     pub const ALL: [Compose; 3] = [Compose::Screen, Compose::ScreenEach, Compose::Add];
+
+    /// The word for it in the documents.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Compose::Screen => "screen",
+            Compose::ScreenEach => "screen-each",
+            Compose::Add => "add",
+        }
+    }
 }

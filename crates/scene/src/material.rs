@@ -79,6 +79,15 @@ pub enum Reflectance {
 impl Reflectance {
     /// Every law, in the order in which menus show them.
     pub const ALL: [Reflectance; 3] = [Reflectance::Constant, Reflectance::Schlick, Reflectance::Grazing];
+
+    /// The word for it in the documents.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Reflectance::Constant => "constant",
+            Reflectance::Schlick => "schlick",
+            Reflectance::Grazing => "grazing",
+        }
+    }
 }
 
 /// What `cos s` of the highlight is.
@@ -94,6 +103,14 @@ pub enum Highlight {
 impl Highlight {
     /// Both highlights, in the order in which menus show them.
     pub const ALL: [Highlight; 2] = [Highlight::Phong, Highlight::Blinn];
+
+    /// The word for it in the documents.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Highlight::Phong => "phong",
+            Highlight::Blinn => "blinn",
+        }
+    }
 }
 
 /// Which surface an object or a part of a mesh has.

@@ -82,8 +82,8 @@ pub enum Invalid {
         /// How many facets there are.
         facets: usize,
     },
-    /// A name is empty or begins or ends with white space.
-    #[error("a name must not be empty or begin or end with white space")]
+    /// A name is empty, begins or ends with white space, or holds a control character.
+    #[error("a name must not be empty, begin or end with white space, or hold control characters")]
     BadName,
     /// A name is taken.
     #[error("the name `{name}` is taken")]
@@ -152,9 +152,11 @@ fn triangle(p0: DVec3, p1: DVec3, p2: DVec3) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Whether `name` is trimmed and not empty.
+/// Whether `name` is trimmed, not empty, and can be shown and written: no control characters, and neither of the two
+/// characters that no document may hold.
 fn name(name: &str) -> Result<(), Invalid> {
-    if name.is_empty() || name.trim() != name { Err(Invalid::BadName) } else { Ok(()) }
+    let hidden = |character: char| character.is_control() || matches!(character, '\u{FFFE}' | '\u{FFFF}');
+    if name.is_empty() || name.trim() != name || name.contains(hidden) { Err(Invalid::BadName) } else { Ok(()) }
 }
 
 impl Environment {

@@ -404,3 +404,37 @@ fn parts_have_their_own_materials() {
     assert_eq!(at(-1.0), Rgb::splat(0.2));
     assert_eq!(at(1.0), Rgb::new(1.0, 0.0, 0.0));
 }
+
+/// A lamp that lies on a surface is hidden neither by that surface nor by rounding, and does not light it.
+#[test]
+fn a_lamp_on_a_surface_lights_everything_else() {
+    let floor = Surface { kd: Rgb::splat(0.5), ..black() };
+    let gloss = Surface { ks: Rgb::WHITE, shininess: Rgb::BLACK, ..black() };
+    let lamp = DVec3::new(0.3, 2.1, -0.7);
+    let slanting = DVec3::new(0.31, -0.93, 0.17).normalize();
+    let (u, v) = slanting.any_orthonormal_pair();
+    let facet = Shape::Facet { p0: lamp - u - v, p1: lamp + 2.0 * u - v, p2: lamp - u + 2.0 * v };
+    let carriers = [
+        plane("ceiling", lamp, slanting, gloss.clone()),
+        object("tile", facet, gloss.clone()),
+        sphere("globe", lamp - slanting * 0.8, 0.8, gloss.clone()),
+        object("case", Shape::Cube { center: lamp + DVec3::Y * 0.5, edge: 1.0, rotation: DVec3::ZERO }, gloss),
+    ];
+    for carrier in carriers {
+        let name = carrier.name.clone();
+        let objects = vec![plane("floor", DVec3::ZERO, DVec3::Y, floor.clone()), carrier];
+        let mut scene = scene(objects, Environment::default());
+        scene.lights = [PointLight::new("lamp", lamp)].into_iter().collect::<List<PointLight>>();
+        let seen = |eye, target| open(&scene, &pixel(eye, target)).color.r;
+        for step in 0..400 {
+            let place = DVec3::new(f64::from(step % 20) * 0.17 - 1.6, 0.0, f64::from(step / 20) * 0.17 - 1.6);
+            let cosine = (lamp - place).normalize().y;
+            let color = seen(place + DVec3::new(0.0, 0.1, 0.0), place);
+            assert!((color - 0.5 * cosine).abs() < 1e-12, "{name}: the floor at {place} is {color}");
+            // up to the carrier: the lamp stands in its own surface, or behind what is seen of it
+            let up = place + DVec3::new(0.0, 0.01, 0.0);
+            let color = seen(up, lamp + DVec3::new(f64::from(step % 7) * 0.03, 0.0, f64::from(step % 11) * 0.02));
+            assert_eq!(color, 0.0, "{name}: from {up}");
+        }
+    }
+}

@@ -196,9 +196,4 @@ phrases! {
     }
     /// What to do.
     convert_views_binary_help() { "write them as .xml", "écrivez-les en .xml" }
-    /// What the other format cannot hold.
-    convert_losses(format) {
-        "the format {format} cannot hold everything:",
-        "le format {format} ne peut pas tout contenir :",
-    }
 }

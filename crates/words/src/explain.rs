@@ -115,7 +115,7 @@ phrases! {
     /// Kt·It
     glass() { "refracted", "réfractée" }
     /// A lamp.
-    lamp(name, distance) { "lamp `{name}`, {distance} away", "source « {name} », à {distance}" }
+    lamp(name, distance) { "lamp `{name}`, {distance} away", "source « {name} », à la distance {distance}" }
     /// The coefficient is 0.
     no_mirror() { "Kr = 0, no mirror", "Kr = 0, pas de miroir" }
     /// The coefficient is 0.
@@ -176,7 +176,7 @@ phrases! {
     /// The colour of infinity.
     background() { "colour of infinity", "couleur de l'infini" }
     /// How many rays are not shown.
-    rays_below(count) { "… {count} more rays below (--levels)", "… {count} autres rayons plus bas (--levels)" }
+    rays_below(more_rays) { "… {more_rays} below (--levels)", "… {more_rays} plus bas (--levels)" }
 
     // ---- the end --------------------------------------------------------------------------------------------------
 

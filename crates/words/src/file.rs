@@ -29,6 +29,11 @@ phrases! {
     /// There is no memory.
     no_memory() { "there is not enough memory", "la mémoire ne suffit pas" }
 
+    /// An extension that means no scene format.
+    unknown_scene_extension(extension) {
+        "no scene format has the extension .{extension}; known are .xml and .lancer",
+        "aucun format de scène n'a l'extension .{extension} ; sont connues .xml et .lancer",
+    }
     /// A file that cannot be written, and why.
     cannot_write(path, cause) {
         "`{path}` cannot be written: {cause}",

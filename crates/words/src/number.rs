@@ -28,6 +28,7 @@ counts! {
     vertices: "vertex" "vertices", "sommet" "sommets";
     normals: "normal" "normals", "normale" "normales";
     facets: "facet" "facets", "facette" "facettes";
+    points: "point" "points", "point" "points";
     parts: "part" "parts", "partie" "parties";
     errors: "error" "errors", "erreur" "erreurs";
     warnings: "warning" "warnings", "avertissement" "avertissements";

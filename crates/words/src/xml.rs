@@ -14,7 +14,7 @@ pub struct Report {
 }
 
 impl Report {
-    fn new(message: impl Display, label: impl Display, help: impl Display) -> Report {
+    pub(crate) fn new(message: impl Display, label: impl Display, help: impl Display) -> Report {
         Report { message: message.to_string(), label: label.to_string(), help: help.to_string() }
     }
 }
@@ -40,6 +40,8 @@ macro_rules! reports {
         }
     )*};
 }
+
+pub(crate) use reports;
 
 pub mod report;
 pub mod rule;

@@ -1,6 +1,7 @@
 //! What can be wrong with a binary scene.
 
 use crate::Describe;
+use crate::xml::{Excerpt, XmlProblem};
 use lancer_scene::{Invalid, Name};
 use lancer_words::{Lang, binary as words};
 
@@ -75,8 +76,13 @@ impl Describe for BinaryProblem {
             }
             BinaryProblem::UnknownVersion { found } => words::unknown_version(lang, found),
             BinaryProblem::Malformed { detail } => words::malformed(lang, detail),
-            BinaryProblem::Invalid { name: Some(name), rule } => words::invalid_part(lang, name, rule),
-            BinaryProblem::Invalid { name: None, rule } => rule.to_string(),
+            BinaryProblem::Invalid { name, rule } => {
+                let rule = XmlProblem::from(rule.clone()).message(lang);
+                match name {
+                    Some(name) => words::invalid_part(lang, Excerpt::new(name), rule),
+                    None => rule,
+                }
+            }
         }
     }
 
@@ -92,9 +98,9 @@ impl Describe for BinaryProblem {
                 words::copy_again_help(lang)
             }
             BinaryProblem::UnknownVersion { found } if *found > super::VERSION => words::newer_version_help(lang),
-            BinaryProblem::UnknownVersion { .. }
-            | BinaryProblem::Malformed { .. }
-            | BinaryProblem::Invalid { .. } => words::other_program_help(lang),
+            BinaryProblem::UnknownVersion { .. } | BinaryProblem::Malformed { .. } | BinaryProblem::Invalid { .. } => {
+                words::other_program_help(lang)
+            }
         })
     }
 }

@@ -11,7 +11,7 @@ pub use file::{LoadCause, LoadError, STANDARD};
 pub use meshes::FolderOfDocument;
 
 use crate::xml::{Document, DocumentKind, StructureProblem, XmlProblem};
-use crate::{Diagnostic, Outcome, Problem, Severity, Source, binary, picture, xml};
+use crate::{Diagnostic, Outcome, Problem, Severity, Source, binary, n7_2009, picture, xml};
 use lancer_scene::{Picture, Scene, Views};
 use std::path::Path;
 
@@ -70,7 +70,12 @@ pub fn load_scene(path: &Path, options: &LoadOptions) -> Result<Loaded<Scene>, L
         return Ok(Loaded::bytes(path, binary::read_scene(&bytes)));
     }
     let mut files = FolderOfDocument::new(path, *options);
-    Ok(document(path, &bytes, DocumentKind::Scene, |document| xml::read_scene(document, &mut files)))
+    Ok(document(path, &bytes, DocumentKind::Scene, |document| match document.kind() {
+        Some(DocumentKind::Scene2009) => n7_2009::read_scene(document),
+        Some(DocumentKind::Scene | DocumentKind::Views | DocumentKind::Views2009) | None => {
+            xml::read_scene(document, &mut files)
+        }
+    }))
 }
 
 /// Loads views: a native document or one of 2009. The path `-` means standard input.
@@ -82,7 +87,10 @@ pub fn load_views(path: &Path, options: &LoadOptions) -> Result<Loaded<Views>, L
     if binary::is_binary(&bytes) {
         return Ok(Loaded::bytes(path, Err(XmlProblem::from(StructureProblem::SceneForViews))));
     }
-    Ok(document(path, &bytes, DocumentKind::Views, xml::read_views))
+    Ok(document(path, &bytes, DocumentKind::Views, |document| match document.kind() {
+        Some(DocumentKind::Views2009) => n7_2009::read_views(document),
+        Some(DocumentKind::Views | DocumentKind::Scene | DocumentKind::Scene2009) | None => xml::read_views(document),
+    }))
 }
 
 /// Reads an XML document. It is kept if it is native and of the kind that is due.

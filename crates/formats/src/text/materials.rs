@@ -3,7 +3,7 @@
 
 use super::clean;
 use super::table::{Cell, Table};
-use lancer_scene::{Highlight, MaterialRef, Name, Reflectance, Rgb, Scene, Surface};
+use lancer_scene::{MaterialRef, Name, Rgb, Scene, Surface};
 use lancer_words::{Lang, term, text as words};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -75,15 +75,6 @@ impl<'a> OwnSurfaces<'a> {
 
 fn push(table: &mut Table, name: String, surface: &Surface, lang: Lang) {
     let Surface { ka, kd, ks, w, shininess, kr, kt, index, highlight } = surface;
-    let law = match w {
-        Reflectance::Constant => "constant",
-        Reflectance::Schlick => "schlick",
-        Reflectance::Grazing => "grazing",
-    };
-    let highlight = match highlight {
-        Highlight::Phong => "phong",
-        Highlight::Blinn => "blinn",
-    };
     let uniform = [ka, kd, ks, shininess, kr, kt, index].into_iter().all(|value| value.is_uniform());
     for (channel, letter) in term::channels(lang).into_iter().enumerate().take(if uniform { 1 } else { 3 }) {
         let first = channel == 0;
@@ -97,12 +88,12 @@ fn push(table: &mut Table, name: String, surface: &Surface, lang: Lang) {
             number(ka),
             number(kd),
             number(ks),
-            once(law),
+            once(w.word()),
             number(shininess),
             number(kr),
             number(kt),
             number(index),
-            once(highlight),
+            once(highlight.word()),
         ]);
     }
 }

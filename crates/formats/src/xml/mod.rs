@@ -18,11 +18,13 @@ mod reference;
 mod root;
 mod rule;
 mod scan;
-mod sink;
+pub(crate) mod sink;
 mod structure;
 mod syntax;
 mod value;
+mod values;
 pub mod vocabulary;
+mod write;
 
 pub use document::{Attribute, Attributes, Children, Document, Element, Malformed, Node, Text};
 pub use encoding::Encoding;
@@ -36,6 +38,7 @@ pub use root::DocumentKind;
 pub use structure::StructureProblem;
 pub use syntax::{Byte, CodePoint, SyntaxProblem};
 pub use value::{Due, ValueProblem};
+pub use write::{write_scene, write_views};
 
 /// Elements nested deeper than this are refused. A legal scene nests four deep.
 pub const MAX_DEPTH: usize = 64;

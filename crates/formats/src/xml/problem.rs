@@ -112,7 +112,7 @@ impl Guess {
         Guess(super::nearest::nearest(found, legal).map(Excerpt::new))
     }
 
-    pub(super) fn word(&self, lang: Lang) -> String {
+    pub(crate) fn word(&self, lang: Lang) -> String {
         match &self.0 {
             Some(name) => words::did_you_mean(lang, name),
             None => words::unknown(lang),

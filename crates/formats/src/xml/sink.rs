@@ -9,7 +9,7 @@ const MOST: usize = 10_000;
 
 /// The problems found so far.
 #[derive(Debug)]
-pub(super) struct Sink<'d> {
+pub(crate) struct Sink<'d> {
     document: &'d Document,
     diagnostics: Vec<Diagnostic>,
     failed: bool,
@@ -17,11 +17,11 @@ pub(super) struct Sink<'d> {
 }
 
 impl<'d> Sink<'d> {
-    pub(super) fn new(document: &'d Document) -> Sink<'d> {
+    pub(crate) fn new(document: &'d Document) -> Sink<'d> {
         Sink { document, diagnostics: Vec::new(), failed: false, lines: OnceCell::new() }
     }
 
-    pub(super) fn push(&mut self, diagnostic: Diagnostic) {
+    pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
         self.failed |= diagnostic.severity == Severity::Error;
         if self.diagnostics.len() < MOST {
             self.diagnostics.push(diagnostic);
@@ -30,27 +30,27 @@ impl<'d> Sink<'d> {
         }
     }
 
-    pub(super) fn error(&mut self, span: Span, problem: impl Into<Problem>) {
+    pub(crate) fn error(&mut self, span: Span, problem: impl Into<Problem>) {
         self.push(Diagnostic::error(span, problem));
     }
 
-    pub(super) fn warning(&mut self, span: Span, problem: impl Into<Problem>) {
+    pub(crate) fn warning(&mut self, span: Span, problem: impl Into<Problem>) {
         self.push(Diagnostic::warning(span, problem));
     }
 
     /// The value, or `None` and its fault among the problems.
-    pub(super) fn keep<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Option<T> {
+    pub(crate) fn keep<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Option<T> {
         result.map_err(|fault| self.push(*fault)).ok()
     }
 
     /// The line of an offset, from 1.
-    pub(super) fn line(&self, offset: usize) -> usize {
+    pub(crate) fn line(&self, offset: usize) -> usize {
         let lines = self.lines.get_or_init(|| Lines::new(&self.document.source().text));
         lines.line(offset)
     }
 
     /// The value if no problem is an error, and all problems in the order of the text.
-    pub(super) fn finish<T>(mut self, value: Option<T>) -> Outcome<T> {
+    pub(crate) fn finish<T>(mut self, value: Option<T>) -> Outcome<T> {
         // What has no place comes last.
         self.diagnostics.sort_by_key(|diagnostic| diagnostic.span.map_or(usize::MAX, |span| span.start));
         Outcome { value: value.filter(|_| !self.failed), diagnostics: self.diagnostics }

@@ -1,9 +1,10 @@
 //! Hidden surfaces and shadows (subject §1.1, §1.2): the nearest hit along a ray, and whether anything stands between
 //! a point and a lamp.
 
-use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere, starts_on_facet};
+use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere, lies_in_plane, lies_on_sphere};
 use crate::Ray;
 use crate::world::{Body, Facets, Geometry, World};
+use glam::DVec3;
 
 /// What a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,17 +38,34 @@ impl World {
         nearest
     }
 
-    /// Some body that the ray meets before `distance`: what shadows the point where the ray starts.
-    pub(crate) fn blocker(&self, ray: &Ray, start: Option<u32>, distance: f64) -> Option<u32> {
+    /// Some body that the ray meets before the lamp at `distance`: what shadows the point where the ray starts.
+    ///
+    /// The segment is open at both ends: the surface that the lamp lies on does not hide it.
+    pub(crate) fn blocker(&self, ray: &Ray, start: Option<u32>, lamp: DVec3, distance: f64) -> Option<u32> {
         let mut blocker = None;
         self.visit_hits(ray, start, distance, |hit| {
-            if hit.t < distance {
+            if hit.t < distance && !self.is_at_lamp(ray, &hit, lamp, distance) {
                 blocker = Some(hit.body);
                 return -1.0;
             }
             distance
         });
         blocker
+    }
+
+    /// Whether a hit that is computed to be before a lamp is the lamp's own place on that surface.
+    fn is_at_lamp(&self, ray: &Ray, hit: &Hit, lamp: DVec3, distance: f64) -> bool {
+        match &self.body(hit.body).geometry {
+            // the line meets the sphere at the lamp and once more, 2·I·(C - lamp) from it: which of the two is nearer?
+            Geometry::Sphere { center, radius } => {
+                lies_on_sphere(lamp, *center, *radius) && distance - hit.t <= ray.direction.dot(*center - lamp).abs()
+            }
+            Geometry::Plane { p0, p1, p2, .. } => lies_in_plane(lamp, *p0, *p1, *p2),
+            Geometry::Facets(facets) => {
+                let [p0, p1, p2] = facets.corners(hit.facet);
+                lies_in_plane(lamp, p0, p1, p2)
+            }
+        }
     }
 
     /// Gives `found` every hit up to the limit; `found` gives the new limit, a negative one to stop.
@@ -101,7 +119,7 @@ fn visit_facets(
     facets.hierarchy().visit(ray, limit, |facet, limit| {
         let [p0, p1, p2] = facets.corners(facet);
         last = match intersect_facet(ray, p0, p1, p2) {
-            Some(hit) if !(starts_here && starts_on_facet(ray.origin, p0, p1, p2)) => {
+            Some(hit) if !(starts_here && lies_in_plane(ray.origin, p0, p1, p2)) => {
                 found(Hit { t: hit.t, body, facet, alpha: hit.alpha, beta: hit.beta })
             }
             Some(_) | None => limit,

@@ -2,6 +2,7 @@
 
 use super::bounce::{keep_outside, reflect, refract};
 use super::compose::Sum;
+use super::intersect::roundings;
 use super::light;
 use super::surface_point::{Crossing, SurfacePoint};
 use crate::observe::{GlassPath, GlassTerm, LampState, LampTerm, MirrorTerm, Observer, Omitted, SeenRay, SeenSurface};
@@ -316,14 +317,16 @@ impl<'t, O: Observer> Path<'t, O> {
         let to_lamp = segment / distance;
         let state = if distance == 0.0 {
             LampState::AtPoint
-        } else if !(at.geometric.dot(to_lamp) > 0.0 && at.normal.dot(to_lamp) > 0.0) {
+        } else if !(at.geometric.dot(segment) > roundings(&[at.point, lamp.position]) && at.normal.dot(to_lamp) > 0.0) {
+            // a lamp in the surface's own plane is not in front of it, however N·L rounds
             LampState::Behind { cos_l: at.normal.dot(to_lamp) }
         } else {
             let mut blocker = None;
             if self.settings.steps.shadows {
                 self.spend()?;
                 self.observer.shadow_ray();
-                blocker = world.blocker(&Ray { origin: at.point, direction: to_lamp }, Some(at.body), distance);
+                let ray = Ray { origin: at.point, direction: to_lamp };
+                blocker = world.blocker(&ray, Some(at.body), lamp.position, distance);
             }
             match blocker {
                 Some(body) => LampState::Blocked { by: &world.body(body).name, cos_l: at.normal.dot(to_lamp) },

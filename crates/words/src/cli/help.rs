@@ -140,6 +140,8 @@ donnent 0.",
         "The scene: XML, binary (.lancer), or a document of 2009",
         "La scène : XML, binaire (.lancer) ou document de 2009",
     }
+    /// SCENE of show
+    show_help() { "A scene, or views", "Une scène, ou des vues" }
     /// VIEW
     view_help() {
         "The document that holds the eye and the screen of one or more views",

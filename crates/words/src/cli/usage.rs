@@ -49,7 +49,7 @@ width and height are at least 1",
         "argument inattendu « {argument} »",
     }
     /// One that looks alike.
-    similar_argument(argument) { "a similar one exists: '{argument}'", "il existe un argument semblable : « {argument} »" }
+    similar(word) { "did you mean '{word}'?", "vouliez-vous dire « {word} » ?" }
     /// A value that is no legal one.
     invalid_value(value, argument) {
         "invalid value '{value}' for '{argument}'",

@@ -5,6 +5,10 @@
 //! mode and, where the system lets us, the owner of the old file are kept. Devices, pipes and standard output have no
 //! old content to keep and are written directly.
 
+mod scene;
+
+pub use scene::{SceneFormat, UnknownSceneExtension, save_scene, scene_bytes};
+
 use crate::Describe;
 use lancer_words::{Lang, file as words};
 use std::fs::{self, File, Metadata, OpenOptions};

@@ -1,0 +1,228 @@
+//! An explanation as text: the rays as a tree of lines, below each ray what it meets and the table of its sum.
+
+use super::Explanation;
+use super::number::{CHANNEL_WIDTH, degrees, length, triple, vector};
+use super::path::ray_names;
+use super::table::{Line, terms};
+use lancer_scene::{Compose, Object, Shape};
+use lancer_trace::observe::{RayNode, Seen, SurfaceNode};
+use lancer_trace::{Channels, RayKind, RayTree};
+use lancer_words::{Lang, explain as words, number};
+use unicode_width::UnicodeWidthStr;
+
+/// The whole explanation, ready to print. Rays below `levels` are only counted.
+pub(super) fn text(explanation: &Explanation<'_>, levels: Option<u32>, lang: Lang) -> String {
+    let Explanation { scene, view, settings, pixel, x, y } = explanation;
+    let mut out = words::title(lang, x, y, &view.name, view.width, view.height) + "\n";
+    if !scene.name.is_empty() {
+        out += &(words::scene_title(lang, &scene.name) + "\n");
+    }
+    let compose = match scene.world.compose {
+        Compose::Screen => words::compose_screen(lang),
+        Compose::ScreenEach => words::compose_screen_each(lang),
+        Compose::Add => words::compose_add(lang),
+    };
+    out += &(words::rules(lang, compose, settings.depth) + "\n");
+    let steps = [
+        (settings.steps.shadows, words::step_shadows(lang)),
+        (settings.steps.reflection, words::step_reflection(lang)),
+        (settings.steps.transparency, words::step_transparency(lang)),
+    ];
+    let left_out: Vec<String> = steps.into_iter().filter(|(done, _)| !done).map(|(_, step)| step).collect();
+    if !left_out.is_empty() {
+        out += &(words::left_out(lang, left_out.join(", ")) + "\n");
+    }
+    let count = pixel.samples.len();
+    for (number, sample) in (1..).zip(&pixel.samples) {
+        out.push('\n');
+        if count > 1 {
+            out += &(words::sample(lang, number, count, length(sample.x), length(sample.y)) + "\n\n");
+        }
+        let teller = Teller { explanation, tree: &sample.tree, names: ray_names(&sample.tree), levels, lang };
+        teller.ray(0, "", "", &mut out);
+    }
+    out.push('\n');
+    out += &end(explanation, lang);
+    out
+}
+
+/// The last table: samples, their mean, the bytes.
+fn end(explanation: &Explanation<'_>, lang: Lang) -> String {
+    let pixel = &explanation.pixel;
+    let mut lines = vec![heads(lang)];
+    if pixel.samples.len() > 1 {
+        for (number, sample) in (1..).zip(&pixel.samples) {
+            lines.push(Line::values(words::sample_color(lang, number), sample.color));
+        }
+        lines.push(Line::values(words::mean(lang), pixel.color));
+    } else {
+        lines.push(Line::values(words::pixel_color(lang), pixel.color));
+    }
+    lines.push(Line::cells(words::bytes(lang), pixel.bytes.map(|byte| byte.to_string())));
+    laid_out(&lines).join("\n") + "\n"
+}
+
+/// The names of the channels, above their columns.
+fn heads(lang: Lang) -> Line {
+    Line::cells(String::new(), [words::red(lang), words::green(lang), words::blue(lang)])
+}
+
+/// Writes one sample's tree.
+struct Teller<'a> {
+    explanation: &'a Explanation<'a>,
+    tree: &'a RayTree,
+    names: Vec<String>,
+    levels: Option<u32>,
+    lang: Lang,
+}
+
+impl Teller<'_> {
+    /// A ray and all below it. `first` stands before its first line, `rest` before all others.
+    fn ray(&self, ray: usize, first: &str, rest: &str, out: &mut String) {
+        let lang = self.lang;
+        let Some(node) = self.tree.nodes.get(ray) else { return };
+        *out += &format!("{first}{}\n", self.heading(ray, node));
+        let cut = self.levels.is_some_and(|levels| node.level >= levels) && !node.children.is_empty();
+        let stem = if node.children.is_empty() { "  " } else { "│ " };
+        for line in laid_out(&self.body(ray, node)) {
+            *out += format!("{rest}{stem}{line}").trim_end();
+            out.push('\n');
+        }
+        if cut {
+            let more = number::more_rays(lang, self.rays_below(ray));
+            *out += &format!("{rest}└─ {}\n", words::rays_below(lang, more));
+            return;
+        }
+        for (place, &child) in (1..).zip(&node.children) {
+            *out += &format!("{rest}│\n");
+            let (branch, stem) = if place == node.children.len() { ("└─ ", "   ") } else { ("├─ ", "│  ") };
+            self.ray(child, &format!("{rest}{branch}"), &format!("{rest}{stem}"), out);
+        }
+    }
+
+    /// How many rays stem from a ray.
+    fn rays_below(&self, ray: usize) -> usize {
+        let mut open = vec![ray];
+        let mut count = 0;
+        while let Some(ray) = open.pop() {
+            let children = self.tree.nodes.get(ray).map_or(&[][..], |node| &node.children);
+            count += children.len();
+            open.extend(children);
+        }
+        count
+    }
+
+    /// The ray's name, its level and the medium that it travels in.
+    fn heading(&self, ray: usize, node: &RayNode) -> String {
+        let lang = self.lang;
+        let name = &self.names[ray];
+        let what = match node.kind {
+            RayKind::Primary => words::primary(lang),
+            RayKind::Reflected => words::reflected(lang, name),
+            RayKind::Refracted => words::refracted(lang, name),
+        };
+        let medium = node.media.last().map_or_else(|| words::surroundings(lang), |object| words::inside(lang, object));
+        let mut parts = vec![what, words::level(lang, node.level)];
+        if node.channels != Channels::ALL {
+            let names = [words::red(lang), words::green(lang), words::blue(lang)];
+            let carried: Vec<&str> = node.channels.iter().map(|channel| names[channel].as_str()).collect();
+            parts.push(words::carries(lang, carried.join(", ")));
+        }
+        parts.push(words::travels_in(lang, medium, triple(node.index)));
+        parts.join(" · ")
+    }
+
+    /// What the ray meets and how its colour comes about.
+    fn body(&self, ray: usize, node: &RayNode) -> Vec<Line> {
+        let lang = self.lang;
+        let mut lines = vec![Line::Text(words::from_along(lang, vector(node.ray.origin), vector(node.ray.direction)))];
+        match &node.seen {
+            Seen::Background(_) => {
+                lines.push(Line::Text(words::meets_nothing(lang)));
+                lines.push(Line::Blank);
+                lines.push(heads(lang));
+                lines.push(Line::carried(words::background(lang), node.color, node.channels));
+            }
+            Seen::Surface(surface) => {
+                lines.extend(self.meeting(node, surface));
+                lines.push(Line::Blank);
+                lines.push(heads(lang));
+                let children: Vec<(&RayNode, &str)> = node
+                    .children
+                    .iter()
+                    .filter_map(|&child| Some((self.tree.nodes.get(child)?, self.names.get(child)?.as_str())))
+                    .collect();
+                lines.extend(terms(node, surface, &children, self.explanation.scene.world.compose, lang));
+                let what = match node.kind {
+                    RayKind::Primary => words::clamped_sum(lang),
+                    RayKind::Reflected | RayKind::Refracted => words::seen_color(lang, &self.names[ray]),
+                };
+                lines.push(Line::carried(what, node.color, node.channels));
+            }
+        }
+        lines
+    }
+
+    /// What is met, where and at which angle.
+    fn meeting(&self, node: &RayNode, surface: &SurfaceNode) -> Vec<Line> {
+        let lang = self.lang;
+        let object = self.explanation.scene.objects.iter().find(|object| object.name == surface.object);
+        let side = match surface {
+            SurfaceNode { sheet: true, .. } => words::a_sheet(lang),
+            SurfaceNode { entering: true, .. } => words::from_outside(lang),
+            SurfaceNode { .. } => words::from_inside(lang),
+        };
+        let called = object.map_or_else(|| surface.object.to_string(), |object| called(object, surface.facet, lang));
+        let mut meets = vec![words::meets(lang, called, length(surface.distance)), side];
+        if let Some(name) = object.and_then(|object| object.material.name()) {
+            meets.push(words::material(lang, name));
+        }
+        let mut place = vec![
+            format!("P = {}", vector(surface.point)),
+            format!("N = {}", vector(surface.geometric_normal)),
+            words::incidence(lang, degrees(-node.ray.direction.dot(surface.geometric_normal))),
+        ];
+        if surface.normal != surface.geometric_normal {
+            place.push(words::smooth_normal(lang, vector(surface.normal)));
+        }
+        vec![Line::Text(meets.join(", ")), Line::Text(place.join(", "))]
+    }
+}
+
+/// An object by its shape and name, with the facet where there are several.
+fn called(object: &Object, facet: u32, lang: Lang) -> String {
+    match &object.shape {
+        Shape::Sphere { .. } => words::object(lang, words::sphere(lang), &object.name),
+        Shape::Plane { .. } => words::object(lang, words::plane(lang), &object.name),
+        Shape::Facet { .. } => words::object(lang, words::facet(lang), &object.name),
+        Shape::Cube { .. } => words::object_facet(lang, words::cube(lang), &object.name, facet),
+        Shape::Parallelepiped { .. } => words::object_facet(lang, words::parallelepiped(lang), &object.name, facet),
+        Shape::Mesh(_) => words::object_facet(lang, words::mesh(lang), &object.name, facet),
+    }
+}
+
+/// The lines with the tables' columns one below the other.
+fn laid_out(lines: &[Line]) -> Vec<String> {
+    let widest = lines
+        .iter()
+        .map(|line| match line {
+            Line::Row { label, .. } => label.width(),
+            Line::Text(_) | Line::Blank => 0,
+        })
+        .max()
+        .unwrap_or(0);
+    lines
+        .iter()
+        .map(|line| match line {
+            Line::Blank => String::new(),
+            Line::Text(text) => text.clone(),
+            Line::Row { label, cells } => {
+                let mut row = format!("{label}{}", " ".repeat(widest - label.width()));
+                for cell in cells {
+                    row += &format!(" {}{cell}", " ".repeat(CHANNEL_WIDTH.saturating_sub(cell.width())));
+                }
+                row
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,182 @@
+//! Reading documents and pictures for the commands: what is wrong with them is told, and only what is right is given.
+
+use crate::console::{Console, Stream};
+use crate::{Exit, Failure, report};
+use lancer_formats::load::{self, LoadOptions, Loaded, STANDARD};
+use lancer_formats::xml::{self, Element, StructureProblem, XmlProblem};
+use lancer_formats::{Diagnostic, Problem, Severity, Source, Span};
+use lancer_scene::{Finding, NameKind, Picture, Scene, View, Views};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// How many names are offered instead of an unknown one.
+const NEAREST: usize = 5;
+
+/// A legal scene.
+///
+/// # Errors
+/// A file that cannot be read; a document with errors, which are told.
+pub(crate) fn scene(path: &Path, options: &LoadOptions, console: &Console) -> Result<Scene, Failure> {
+    accepted(load::load_scene(path, options).map_err(Failure::Load)?, console)
+}
+
+/// Legal views.
+///
+/// # Errors
+/// A file that cannot be read; a document with errors, which are told.
+pub(crate) fn views(path: &Path, options: &LoadOptions, console: &Console) -> Result<Views, Failure> {
+    accepted(load::load_views(path, options).map_err(Failure::Load)?, console)
+}
+
+/// A picture.
+///
+/// # Errors
+/// A file that cannot be read; one that is no picture, which is told.
+pub(crate) fn picture(path: &Path, console: &Console) -> Result<Picture, Failure> {
+    accepted(load::load_picture(path, &LoadOptions::default()).map_err(Failure::Load)?, console)
+}
+
+/// The value of what was loaded. Errors are told, and warnings unless the console is quiet.
+fn accepted<T>(loaded: Loaded<T>, console: &Console) -> Result<T, Failure> {
+    let errors = loaded.has_errors();
+    tell(&loaded.source, &loaded.diagnostics, console);
+    loaded.value.filter(|_| !errors).ok_or(Failure::Told(Exit::Wrong))
+}
+
+/// Tells errors, and warnings unless the console is quiet.
+pub(crate) fn tell(source: &Source, diagnostics: &[Diagnostic], console: &Console) {
+    let told = |found: &&Diagnostic| found.severity == Severity::Error || !console.quiet;
+    let diagnostics: Vec<Diagnostic> = diagnostics.iter().filter(told).cloned().collect();
+    if !diagnostics.is_empty() {
+        console.tell(&reported(source, &diagnostics, console, Stream::Errors));
+    }
+}
+
+/// The report of diagnostics, as wide and as colourful as the stream allows.
+fn reported(source: &Source, diagnostics: &[Diagnostic], console: &Console, stream: Stream) -> String {
+    report::render(source, diagnostics, console.lang, stream.has_colors(), stream.width())
+}
+
+/// What a document holds.
+#[derive(Clone, Debug)]
+pub(crate) enum Content {
+    /// A scene.
+    Scene(Scene),
+    /// Views.
+    Views(Views),
+}
+
+/// A document of either kind, with everything there is to say about it.
+#[derive(Debug)]
+pub(crate) struct Document {
+    /// The path as the user gave it.
+    pub(crate) path: PathBuf,
+    /// What it holds; `None` if it has errors.
+    pub(crate) content: Option<Content>,
+    /// What was found.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The text that the diagnostics are about.
+    pub(crate) source: Source,
+    tree: Option<xml::Document>,
+}
+
+/// Reads a scene or views, whichever it is.
+///
+/// # Errors
+/// A file that cannot be read.
+pub(crate) fn read(path: &Path, options: &LoadOptions) -> Result<Document, Failure> {
+    let scene = load::load_scene(path, options).map_err(Failure::Load)?;
+    // standard input can be read only once, so views must come from a file here
+    if !scene.diagnostics.iter().any(is_views) || path == Path::new(STANDARD) {
+        return Ok(Document::of(path, scene, Content::Scene));
+    }
+    Ok(Document::of(path, load::load_views(path, options).map_err(Failure::Load)?, Content::Views))
+}
+
+/// Whether the reader of scenes says that the document holds views.
+fn is_views(diagnostic: &Diagnostic) -> bool {
+    matches!(diagnostic.problem, Problem::Xml(XmlProblem::Structure(StructureProblem::ViewsForScene)))
+}
+
+impl Document {
+    fn of<T>(path: &Path, loaded: Loaded<T>, content: impl FnOnce(T) -> Content) -> Document {
+        let errors = loaded.has_errors();
+        Document {
+            path: path.to_owned(),
+            content: loaded.value.filter(|_| !errors).map(content),
+            diagnostics: loaded.diagnostics,
+            source: loaded.source,
+            tree: loaded.document,
+        }
+    }
+
+    /// What it holds. Errors are told, and warnings unless the console is quiet.
+    ///
+    /// # Errors
+    /// A document with errors.
+    pub(crate) fn accepted(self, console: &Console) -> Result<Content, Failure> {
+        tell(&self.source, &self.diagnostics, console);
+        self.content.ok_or(Failure::Told(Exit::Wrong))
+    }
+
+    /// How many diagnostics are of that severity.
+    pub(crate) fn count(&self, severity: Severity) -> usize {
+        self.diagnostics.iter().filter(|found| found.severity == severity).count()
+    }
+
+    /// Its views; none for a scene.
+    pub(crate) fn views(&self) -> &[Arc<View>] {
+        match &self.content {
+            Some(Content::Views(views)) => views,
+            Some(Content::Scene(_)) | None => &[],
+        }
+    }
+
+    /// The report of everything that was found.
+    pub(crate) fn report(&self, console: &Console, stream: Stream) -> String {
+        reported(&self.source, &self.diagnostics, console, stream)
+    }
+
+    /// Where the document names the first thing that a finding is about; `None` for a file without text, and for a
+    /// thing without a name of its own.
+    pub(crate) fn place_of(&self, finding: &Finding) -> Option<Span> {
+        let root = self.tree.as_ref()?.root();
+        let holds_views = matches!(self.content, Some(Content::Views(_)));
+        let (kind, name) = finding.names().into_iter().find(|(kind, _)| (*kind == NameKind::View) == holds_views)?;
+        let elements = || std::iter::once(root).chain(root.elements());
+        let fits = |element: &Element<'_>| match kind {
+            NameKind::View => element.name() == "view",
+            NameKind::Material => element.name() == "material",
+            NameKind::ObjectOrLight => !matches!(element.name(), "scene" | "material"),
+        };
+        elements()
+            .filter(fits)
+            .filter_map(|element| element.attribute("name"))
+            .find_map(|attribute| (attribute.value().trim() == &**name).then_some(attribute.value_span))
+    }
+}
+
+/// The view of that name, else the first.
+///
+/// # Errors
+/// A document without views; a name that no view has.
+pub(crate) fn view<'a>(views: &'a Views, name: Option<&str>, path: &Path) -> Result<&'a Arc<View>, Failure> {
+    let Some(name) = name else {
+        return views.first().ok_or_else(|| Failure::NoView { path: path.to_owned() });
+    };
+    views.iter().find(|view| &*view.name == name).ok_or_else(|| {
+        let mut nearest: Vec<_> = views.iter().map(|view| view.name.clone()).collect();
+        // stable: names that are equally near stay in document order
+        nearest.sort_by_key(|candidate| strsim::damerau_levenshtein(candidate, name));
+        nearest.truncate(NEAREST);
+        Failure::UnknownView { name: name.to_owned(), path: path.to_owned(), nearest, count: views.len() }
+    })
+}
+
+/// Checks a view that the command line has changed.
+///
+/// # Errors
+/// The rule that it breaks.
+pub(crate) fn check_view(view: &View) -> Result<(), Failure> {
+    view.check().map_err(|rule| Failure::ViewInvalid { view: view.name.clone(), rule })
+}
