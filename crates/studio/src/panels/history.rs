@@ -1,5 +1,6 @@
 //! The steps of the document; a click goes to one.
 
+use crate::widgets::line;
 use crate::{Action, Context};
 use egui::{RichText, ScrollArea, Ui};
 
@@ -17,7 +18,8 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
             let current = step == history.current();
             let text = RichText::new(format!("{}   {}", step + 1, names[step]));
             let text = if step > history.current() { text.weak().italics() } else { text };
-            if ui.add_sized([ui.available_width(), ROW], egui::Button::selectable(current, text).truncate()).clicked() {
+            let size = egui::vec2(ui.available_width(), ROW);
+            if line(ui, size, current, &names[step], text).clicked() {
                 actions.push(Action::Jump(step));
             }
         }

@@ -3,9 +3,9 @@
 
 use crate::chrome::{icon_button, named};
 use crate::toasts::Toast;
-use crate::widgets::{preset_list, swatch};
+use crate::widgets::{line, preset_list, swatch};
 use crate::{Action, Context, FileAction, ViewAction};
-use egui::{Id, Key, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo};
+use egui::{Id, Key, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{
     ICON_ADD, ICON_CHANGE_HISTORY, ICON_CIRCLE, ICON_CLOSE, ICON_DEPLOYED_CODE, ICON_HEXAGON, ICON_LIGHTBULB,
@@ -237,7 +237,7 @@ fn item_row(ui: &mut Ui, context: &Context<'_>, item: &Item, actions: &mut Vec<A
         if item.name().is_some() {
             ui.add_space(8.0);
         }
-        let eye_room = if shown.is_some() { 30.0 } else { 0.0 };
+        let eye_room = if shown.is_some() { 40.0 } else { 0.0 };
         let response = label(ui, context, item, &name, shown == Some(false), eye_room);
         select(ui, context, item, &response, actions);
         reorder(context, item, &response, actions);
@@ -269,11 +269,8 @@ fn label(ui: &mut Ui, context: &Context<'_>, item: &Item, name: &str, faint: boo
     let text = RichText::new(name);
     let text = if faint { text.weak().italics() } else { text };
     let selected = context.document.selection().contains(item);
-    let width = (ui.available_width() - room).max(40.0);
-    let button = egui::Button::selectable(selected, text).truncate().min_size(egui::vec2(width, 22.0));
-    let response = ui.add_sized([width, 22.0], button.sense(Sense::click_and_drag()));
-    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, selected, name));
-    response
+    let size = egui::vec2((ui.available_width() - room).max(40.0), 22.0);
+    line(ui, size, selected, name, text)
 }
 
 /// A click selects, with Ctrl it adds or takes out, with Shift it selects a run; a double click renames or shows.

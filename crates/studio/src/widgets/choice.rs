@@ -1,7 +1,7 @@
 //! One of several words, and the steps of the algorithm.
 
 use super::Change;
-use egui::{ComboBox, Id, Ui, WidgetInfo, WidgetType};
+use egui::{ComboBox, Id, Role, Ui, WidgetInfo};
 use lancer_scene::Steps;
 use lancer_words::{Lang, studio::view as words};
 
@@ -23,7 +23,7 @@ pub fn choice(ui: &mut Ui, id: Id, chosen: usize, words: &[String], name: &str) 
     let enabled = response.enabled();
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(shown.to_owned()),
-        ..WidgetInfo::labeled(WidgetType::ComboBox, enabled, name)
+        ..WidgetInfo::labeled(Role::ComboBox, enabled, name)
     });
     change
 }

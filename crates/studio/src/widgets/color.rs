@@ -1,7 +1,7 @@
 //! A colour: a field that opens a picker, and its linear numbers.
 
 use super::{Change, Channels, channels, track};
-use egui::{Id, Ui, WidgetInfo, WidgetType};
+use egui::{Id, Role, Ui, WidgetInfo};
 use lancer_document::number::NumberError;
 use lancer_scene::Rgb;
 
@@ -12,7 +12,7 @@ pub fn color(ui: &mut Ui, id: Id, value: Rgb, field: &Channels<'_>, refused: &mu
         let mut bytes = value.to_bytes();
         let response = ui.color_edit_button_srgb(&mut bytes);
         let enabled = response.enabled();
-        response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, enabled, field.name));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, field.name));
         let picked = track(ui, id.with("picker"), response.changed().then(|| Rgb::from_bytes(bytes)));
         picked.or(channels(ui, id, value, field, refused))
     })

@@ -1,7 +1,7 @@
 //! Which material: one of the scene's, the built-in grey, one of its own, or a new one.
 
 use crate::Context;
-use egui::{ComboBox, Id, Image, Ui, Vec2, WidgetInfo, WidgetType};
+use egui::{ComboBox, Id, Image, Role, Ui, Vec2, WidgetInfo};
 use lancer_document::presets;
 use lancer_scene::{MaterialRef, Scene, Surface};
 use lancer_words::studio::panels as words;
@@ -46,7 +46,7 @@ pub fn material(
         let enabled = response.enabled();
         response.widget_info(|| WidgetInfo {
             current_text_value: Some(shown.clone()),
-            ..WidgetInfo::labeled(WidgetType::ComboBox, enabled, name)
+            ..WidgetInfo::labeled(Role::ComboBox, enabled, name)
         });
     });
     choice
