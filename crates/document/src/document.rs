@@ -1,9 +1,17 @@
 //! The document: the stage, the history, the selection.
 
+use crate::files::Files;
 use crate::gesture::Gesture;
 use crate::insert::{self, NewItem, Standpoint};
 use crate::{Command, History, Item, Selection, StepName, arrange};
 use lancer_scene::{Edit, EditError, Stage};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// A number that no revision had before.
+fn new_revision() -> u64 {
+    static LAST: AtomicU64 = AtomicU64::new(0);
+    LAST.fetch_add(1, Ordering::Relaxed) + 1
+}
 
 /// A scene and its views while they are edited.
 #[derive(Clone, Debug)]
@@ -13,15 +21,17 @@ pub struct Document {
     history: History,
     gesture: Option<Gesture>,
     selection: Selection,
+    pub(crate) files: Files,
 }
 
 impl Document {
     /// A document that begins with a stage.
     pub fn new(name: StepName, stage: Stage) -> Document {
         Document {
+            files: Files::none(stage.clone()),
             history: History::new(name, stage.clone()),
             stage,
-            revision: 1,
+            revision: new_revision(),
             gesture: None,
             selection: Selection::default(),
         }
@@ -32,7 +42,7 @@ impl Document {
         &self.stage
     }
 
-    /// A number that grows with every change of the stage.
+    /// A number that grows with every change of the stage, and that no other document ever has.
     pub fn revision(&self) -> u64 {
         self.revision
     }
@@ -60,11 +70,17 @@ impl Document {
     pub fn apply(&mut self, name: StepName, edit: &Edit) -> Result<(), EditError> {
         self.commit();
         let (stage, _) = self.stage.apply(edit)?;
+        self.replace(name, stage);
+        Ok(())
+    }
+
+    /// Puts another stage in place of this one as a step, if it is another.
+    pub(crate) fn replace(&mut self, name: StepName, stage: Stage) {
+        self.commit();
         if stage != self.stage {
             self.history.push(name, stage.clone());
             self.show(stage);
         }
-        Ok(())
     }
 
     /// Begins a gesture, the one before committed.
@@ -212,6 +228,6 @@ impl Document {
     fn show(&mut self, stage: Stage) {
         self.selection.follow(&self.stage, &stage);
         self.stage = stage;
-        self.revision += 1;
+        self.revision = new_revision();
     }
 }

@@ -6,21 +6,26 @@
 //!
 //! What a menu, a key or the pointer does is worked out by functions of the stage that give a [`Command`] or an edit:
 //! [`insert`], [`arrange`], [`attribute`], [`gizmo`]; by [`navigate`] for the eye. They know no window and can be
-//! tested without one.
+//! tested without one. Files are read by [`open`] and written by [`saving`], on whatever thread; [`journal`] keeps the
+//! last step for the case of a crash.
 
 pub mod arrange;
 pub mod attribute;
 mod command;
 mod decimal;
 mod document;
+mod files;
 mod gesture;
 pub mod gizmo;
 mod history;
 pub mod insert;
+pub mod journal;
 mod naming;
 pub mod navigate;
 pub mod number;
+pub mod open;
 pub mod presets;
+pub mod saving;
 mod selection;
 mod sight;
 mod step;

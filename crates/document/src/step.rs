@@ -52,8 +52,12 @@ pub enum StepName {
     HiddenMany(usize),
     /// Several things were moved in space.
     MovedMany(usize),
-    /// The files were read again.
+    /// The scene's file was read again.
     Reloaded,
+    /// Views were read from a file.
+    ViewsLoaded,
+    /// What a journal kept after a crash.
+    Recovered,
 }
 
 impl StepName {
@@ -80,6 +84,8 @@ impl StepName {
             StepName::HiddenMany(count) => step::hidden_many(lang, count),
             StepName::MovedMany(count) => step::moved_many(lang, count),
             StepName::Reloaded => step::reloaded(lang),
+            StepName::ViewsLoaded => step::views_loaded(lang),
+            StepName::Recovered => step::recovered(lang),
         }
     }
 }

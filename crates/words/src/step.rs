@@ -29,8 +29,12 @@ phrases! {
     hidden_many(count) { "Hide {count} items", "Masquage de {count} éléments" }
     /// Several things were moved in space.
     moved_many(count) { "Move {count} items", "Déplacement de {count} éléments" }
-    /// The files were read again.
-    reloaded() { "Reload", "Relecture" }
+    /// The scene's file was read again.
+    reloaded() { "Reload", "Relecture du fichier" }
+    /// Views were read from a file.
+    views_loaded() { "Load views", "Chargement de vues" }
+    /// What a journal kept after a crash.
+    recovered() { "Recover", "Récupération" }
     /// Something was moved in space.
     moved(name) { "Move {name}", "Déplacement de {name}" }
     /// An attribute was set.
