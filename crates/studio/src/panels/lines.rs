@@ -28,7 +28,7 @@ pub(super) fn show(
     file_name: &str,
     make: fn(&Stage, Lang) -> String,
 ) -> Vec<Action> {
-    let id = Id::new(("lines", file_name));
+    let id = Id::unique(("lines", file_name));
     let made = ui.data_mut(|data| Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Made>>>(id)));
     let mut made = made.lock().unwrap_or_else(PoisonError::into_inner);
     update(&mut made, ui, context.document, context.lang, make);

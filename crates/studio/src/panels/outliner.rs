@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
 
 /// The field that filters by name; gives the text.
 fn filter(ui: &mut Ui, lang: Lang) -> String {
-    let id = Id::new("outliner filter");
+    let id = Id::unique("outliner filter");
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -388,7 +388,7 @@ fn menu(ui: &mut Ui, context: &Context<'_>, item: &Item, actions: &mut Vec<Actio
 /// The row of a thing that gets a new name: Enter takes it, Escape leaves the old one.
 fn rename_row(ui: &mut Ui, context: &Context<'_>, item: &Item, actions: &mut Vec<Action>) {
     let Some(name) = item.name() else { return };
-    let id = Id::new(("rename", item));
+    let id = Id::unique(("rename", item));
     let begun = ui.data(|data| data.get_temp::<String>(id));
     let first = begun.is_none();
     let mut text = begun.unwrap_or_else(|| name.to_string());

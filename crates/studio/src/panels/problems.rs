@@ -67,7 +67,7 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
 
 /// What lint finds, found again when the document changed.
 fn findings(ui: &Ui, context: &Context<'_>) -> Arc<Vec<Finding>> {
-    let id = Id::new("findings");
+    let id = Id::unique("findings");
     let revision = context.document.revision();
     let known = ui.data(|data| data.get_temp::<(u64, Arc<Vec<Finding>>)>(id));
     match known {

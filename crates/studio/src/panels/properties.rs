@@ -109,7 +109,7 @@ impl Sheet<'_, '_> {
         for (part, run) in mesh.geometry.parts.iter().enumerate() {
             let facets = number::facets(lang, run.count as usize);
             weak(ui, words::mesh_part(lang, part + 1, facets));
-            let id = Id::new((self.item, "part", part));
+            let id = Id::unique((self.item, "part", part));
             let choice = widgets::material(ui, id, &run.material, self.context, &words::material(lang));
             if let Some(reference) = choice.and_then(|choice| self.known(choice, &run.material)) {
                 let name = attribute::set(self.item, "part");
@@ -137,7 +137,7 @@ impl Sheet<'_, '_> {
     /// The material of an object: chosen, its own, or made new in the same step.
     fn material_of(&mut self, ui: &mut Ui, object: &Object) {
         let lang = self.context.lang;
-        let id = Id::new((self.item, "material"));
+        let id = Id::unique((self.item, "material"));
         let choice = widgets::material(ui, id, &object.material, self.context, &words::material(lang));
         let Some(choice) = choice else { return };
         let step = attribute::set(self.item, "material");
@@ -286,7 +286,7 @@ impl Sheet<'_, '_> {
         widget: impl FnOnce(&mut Ui, Id) -> Change<T>,
     ) -> Change<T> {
         let lang = self.context.lang;
-        let id = Id::new((self.item, label));
+        let id = Id::unique((self.item, label));
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
