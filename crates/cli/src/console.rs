@@ -8,7 +8,7 @@ use lancer_formats::save::{self, STANDARD, SaveCause};
 use lancer_words::Lang;
 use lancer_words::cli::usage;
 use serde::Serialize;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
 /// Where the program speaks, and in which language.
@@ -31,7 +31,32 @@ impl Console {
     /// # Errors
     /// What the system says, except that the reader went away.
     pub(crate) fn print(&self, text: impl AsRef<[u8]>) -> Result<(), Failure> {
-        match save::save(Path::new(STANDARD), |out| out.write_all(text.as_ref())) {
+        self.print_with(|out| out.write_all(text.as_ref()))
+    }
+
+    /// Writes a value to standard output as one line of JSON.
+    ///
+    /// # Errors
+    /// What the system says, except that the reader went away.
+    pub(crate) fn print_json(&self, value: &impl Serialize) -> Result<(), Failure> {
+        self.print_with(|out| {
+            serde_json::to_writer(&mut *out, value)?;
+            out.write_all(b"\n")
+        })
+    }
+
+    /// Lets `write` write to standard output.
+    ///
+    /// # Errors
+    /// What the system says, except that the reader went away.
+    pub(crate) fn print_with(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let printed = save::save(Path::new(STANDARD), |out| {
+            // standard output by itself is written line by line
+            let mut out = BufWriter::new(out);
+            write(&mut out)?;
+            out.flush()
+        });
+        match printed {
             Err(error) if error.cause != SaveCause::Closed => Err(Failure::Save(error)),
             Err(_) | Ok(()) => Ok(()),
         }

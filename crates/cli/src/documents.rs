@@ -5,27 +5,87 @@ use crate::{Exit, Failure, report};
 use lancer_formats::load::{self, LoadOptions, Loaded, STANDARD};
 use lancer_formats::xml::{self, Element, StructureProblem, XmlProblem};
 use lancer_formats::{Diagnostic, Problem, Severity, Source, Span};
-use lancer_scene::{Finding, NameKind, Picture, Scene, View, Views};
+use lancer_scene::{Finding, NameKind, Picture, Scene, View, Views, Weight, lint};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// How many names are offered instead of an unknown one.
 const NEAREST: usize = 5;
 
-/// A legal scene.
-///
-/// # Errors
-/// A file that cannot be read; a document with errors, which are told.
-pub(crate) fn scene(path: &Path, options: &LoadOptions, console: &Console) -> Result<Scene, Failure> {
-    accepted(load::load_scene(path, options).map_err(Failure::Load)?, console)
+/// A legal scene and legal views, with the documents that they come from.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    /// The scene.
+    pub(crate) scene: Scene,
+    /// The views.
+    pub(crate) views: Views,
+    documents: [Document; 2],
 }
 
-/// Legal views.
+/// Reads a scene and views. What is wrong with either is told.
 ///
 /// # Errors
-/// A file that cannot be read; a document with errors, which are told.
-pub(crate) fn views(path: &Path, options: &LoadOptions, console: &Console) -> Result<Views, Failure> {
-    accepted(load::load_views(path, options).map_err(Failure::Load)?, console)
+/// A file that cannot be read; a document with errors.
+pub(crate) fn stage(scene: &Path, views: &Path, options: &LoadOptions, console: &Console) -> Result<Stage, Failure> {
+    let read_scene = load::load_scene(scene, options).map_err(Failure::Load);
+    let scene = read_scene.and_then(|loaded| legal(scene, loaded, Content::Scene, console));
+    let read_views = load::load_views(views, options).map_err(Failure::Load);
+    let views = read_views.and_then(|loaded| legal(views, loaded, Content::Views, console));
+    match (scene, views) {
+        (Ok((scene, scene_document)), Ok((views, views_document))) => {
+            Ok(Stage { scene, views, documents: [scene_document, views_document] })
+        }
+        (Err(failure), Ok(_)) | (Ok(_), Err(failure)) => Err(failure),
+        (Err(first), Err(second)) => Err(Failure::Told(console.fail(&first).max(console.fail(&second)))),
+    }
+}
+
+/// The value of what was loaded, and its document. What was found is told.
+fn legal<T: Clone>(
+    path: &Path,
+    loaded: Loaded<T>,
+    content: impl FnOnce(T) -> Content,
+    console: &Console,
+) -> Result<(T, Document), Failure> {
+    let value = loaded.value.clone();
+    let document = Document::of(path, loaded, content);
+    tell(&document.source, &document.diagnostics, console);
+    match (value, &document.content) {
+        (Some(value), Some(_)) => Ok((value, document)),
+        (Some(_) | None, _) => Err(Failure::Told(Exit::Wrong)),
+    }
+}
+
+impl Stage {
+    /// Tells what is hardly meant in the pictures of some views, unless the console is quiet.
+    pub(crate) fn warn(&self, shown: &[Arc<View>], console: &Console) {
+        let [scene, views] = &self.documents;
+        let found = findings(&self.scene, shown, scene, &[views]);
+        let warnings = found.into_iter().filter(|(finding, ..)| finding.weight() == Weight::Warning);
+        for (finding, owner, span) in warnings {
+            let document = owner.map_or(scene, |_| views);
+            tell(&document.source, &[Diagnostic::warning(span, finding)], console);
+        }
+    }
+}
+
+/// What lint finds in a scene and views of it: each finding with the document that it is about (the number of a
+/// document of views, or nothing for the scene's), and its place there. What a document says itself is left out.
+pub(crate) fn findings(
+    scene: &Scene,
+    shown: &[Arc<View>],
+    scene_document: &Document,
+    view_documents: &[&Document],
+) -> Vec<(Finding, Option<usize>, Option<Span>)> {
+    let placed = |finding: Finding| {
+        let view = finding.names().into_iter().find(|(kind, _)| *kind == NameKind::View).map(|(_, name)| name);
+        let holds = |document: &&Document| document.views().iter().any(|other| Some(&other.name) == view);
+        let owner = view_documents.iter().position(holds);
+        let document = owner.map_or(scene_document, |owner| view_documents[owner]);
+        let span = document.place_of(&finding);
+        (!document.says(&finding)).then_some((finding, owner, span))
+    };
+    lint(scene, shown).into_iter().filter_map(placed).collect()
 }
 
 /// A picture.
@@ -137,6 +197,12 @@ impl Document {
         reported(&self.source, &self.diagnostics, console, stream)
     }
 
+    /// Whether the document's own diagnostics say the same as a finding.
+    fn says(&self, finding: &Finding) -> bool {
+        let mirrored = Problem::Xml(XmlProblem::Structure(StructureProblem::MirroredScreen));
+        matches!(finding, Finding::MirroredView { .. }) && self.diagnostics.iter().any(|own| own.problem == mirrored)
+    }
+
     /// Where the document names the first thing that a finding is about; `None` for a file without text, and for a
     /// thing without a name of its own.
     pub(crate) fn place_of(&self, finding: &Finding) -> Option<Span> {
@@ -171,12 +237,4 @@ pub(crate) fn view<'a>(views: &'a Views, name: Option<&str>, path: &Path) -> Res
         nearest.truncate(NEAREST);
         Failure::UnknownView { name: name.to_owned(), path: path.to_owned(), nearest, count: views.len() }
     })
-}
-
-/// Checks a view that the command line has changed.
-///
-/// # Errors
-/// The rule that it breaks.
-pub(crate) fn check_view(view: &View) -> Result<(), Failure> {
-    view.check().map_err(|rule| Failure::ViewInvalid { view: view.name.clone(), rule })
 }

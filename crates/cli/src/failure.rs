@@ -6,6 +6,7 @@ use lancer_formats::Describe;
 use lancer_formats::load::LoadError;
 use lancer_formats::picture::UnknownExtension;
 use lancer_formats::save::SaveError;
+use lancer_formats::xml::XmlProblem;
 use lancer_render::{PixelFault, Region, RenderError};
 use lancer_scene::{Invalid, Name, View};
 use lancer_words::Lang;
@@ -181,7 +182,9 @@ impl Failure {
             Failure::ViewsAsBinary => words::convert_views_binary(lang),
             Failure::NoView { path } => words::no_view(lang, path.display()),
             Failure::UnknownView { name, path, .. } => words::unknown_view(lang, name, path.display()),
-            Failure::ViewInvalid { view, rule } => words::view_invalid(lang, view, rule),
+            Failure::ViewInvalid { view, rule } => {
+                words::view_invalid(lang, view, XmlProblem::Rule(rule.clone()).message(lang))
+            }
             Failure::RegionOutside { region: Region { x, y, width, height }, .. } => {
                 words::region_outside(lang, x, y, width, height)
             }
@@ -208,8 +211,8 @@ impl Failure {
             | Failure::Signals(_)
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
-            | Failure::NoView { .. }
-            | Failure::ViewInvalid { .. } => None,
+            | Failure::NoView { .. } => None,
+            Failure::ViewInvalid { rule, .. } => XmlProblem::Rule(rule.clone()).help(lang),
             Failure::NeedsRendering { .. } => Some(words::convert_needs_rendering_help(lang)),
             Failure::UnknownForm { .. } => Some(words::convert_unknown_help(lang)),
             Failure::ViewsAsBinary => Some(words::convert_views_binary_help(lang)),

@@ -9,15 +9,6 @@ use serde::Serialize;
 use std::path::Path;
 use std::time::Duration;
 
-/// In which form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StatsForm {
-    /// For a person.
-    Text,
-    /// For a program.
-    Json,
-}
-
 /// The stages of a run. In JSON, version 1: durations are seconds; later versions may add members.
 #[derive(Debug, Serialize)]
 pub(crate) struct Stats {
@@ -96,12 +87,9 @@ impl PictureStats {
 }
 
 impl Stats {
-    /// The figures in the form that was asked for.
-    pub(crate) fn told(&self, form: StatsForm, lang: Lang) -> String {
-        match form {
-            StatsForm::Text => self.text(lang),
-            StatsForm::Json => console::json(self),
-        }
+    /// The figures as one line of JSON, or as text for a person.
+    pub(crate) fn told(&self, as_json: bool, lang: Lang) -> String {
+        if as_json { console::json(self) } else { self.text(lang) }
     }
 
     fn text(&self, lang: Lang) -> String {

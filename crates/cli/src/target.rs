@@ -68,7 +68,10 @@ pub(crate) fn write(
     context: &Context,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let saved = context.writing.guard(|| save::save(path, |out| write(&mut Heeding { out, cancel: &context.cancel })));
+    let save = || save::save(path, |out| write(&mut Heeding { out, cancel: &context.cancel }));
+    // devices, pipes and standard output are written directly: there nothing is left behind
+    let directly = is_standard(path) || path.metadata().is_ok_and(|found| !found.is_file());
+    let saved = if directly { save() } else { context.writing.guard(save) };
     match saved {
         Ok(()) => Ok(()),
         Err(_) if context.cancel.is_cancelled() => Err(Failure::Interrupted),

@@ -2,6 +2,7 @@
 //!
 //! In the blocks of the README a line `$ lancer …` is run; what follows it is the output, in which a line `…` stands
 //! for any lines. `$ cat FILE` shows a file of the checkout, or one that the later commands find there.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 mod common;
 

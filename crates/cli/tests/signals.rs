@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{folder, lancer, listing, program};
+use common::{folder, listing, program};
 use std::fs;
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
@@ -57,8 +57,10 @@ fn ctrl_c_ends_a_program_that_waits_for_a_reader() {
         Command::new(program()).args(["scene.xml", "view.xml", "pipe.ppm"]).current_dir(folder.path()).spawn().unwrap();
     std::thread::sleep(Duration::from_millis(400));
     assert!(child.try_wait().unwrap().is_none(), "nobody reads the pipe yet");
+    let asked = Instant::now();
     signal(&child, "INT");
     assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(asked.elapsed() < Duration::from_millis(200), "{:?}", asked.elapsed());
 }
 
 #[test]
@@ -168,5 +170,4 @@ fn a_picture_that_does_not_fit_into_memory_is_an_error() {
         )
     );
     assert!(!folder.path().join("out.ppm").exists());
-    let _ = lancer;
 }

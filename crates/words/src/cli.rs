@@ -96,8 +96,6 @@ phrases! {
     }
     // ---- what a rendering tells -----------------------------------------------------------------------------------
 
-    /// Before the progress bar.
-    progress_view(view) { "{view}", "{view}" }
     /// After a picture, for somebody who looks.
     picture_done(path, width, height, seconds) {
         "{path}: {width}×{height}, {seconds} s",

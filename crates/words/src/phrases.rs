@@ -6,7 +6,7 @@
 macro_rules! phrases {
     ($($(#[$doc:meta])* $name:ident($($arg:ident),* $(,)?) { $en:literal, $fr:literal $(,)? })*) => {$(
         $(#[$doc])*
-        #[doc = concat!("\n\n* English: ", $en, "\n* French: ", $fr)]
+        #[doc = concat!("\n\n```text\n", $en, "\n", $fr, "\n```")]
         pub fn $name(lang: $crate::Lang $(, $arg: impl std::fmt::Display)*) -> String {
             match lang {
                 $crate::Lang::English => format!($en),

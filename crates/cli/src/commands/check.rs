@@ -3,11 +3,12 @@
 //! A document of views is looked at together with its scene, because many things only show when an eye looks: the scene
 //! of the same name beside it (`first.view.xml` with `first.xml`), or the only scene that is given.
 
+use crate::console::Stream;
 use crate::documents::{self, Content, Document};
-use crate::{Context, Exit, Failure, console, flags};
+use crate::{Context, Exit, Failure, flags};
 use clap::{ArgAction, ArgMatches, Command, value_parser};
 use lancer_formats::{Describe, Diagnostic, Problem, Severity};
-use lancer_scene::{Finding, NameKind, Scene, View, lint};
+use lancer_scene::{Finding, Scene, View, Weight};
 use lancer_words::cli::{self as words, help};
 use lancer_words::{Lang, number};
 use serde::Serialize;
@@ -46,10 +47,10 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     let errors = documents.iter().map(|document| document.count(Severity::Error)).sum();
     let warnings = documents.iter().map(|document| document.count(Severity::Warning)).sum();
     if matches.get_flag("json") {
-        console.print(console::json(&Report::new(&documents, errors, warnings, console.lang)))?;
+        console.print_json(&Report::new(&documents, errors, warnings, console.lang))?;
     } else {
         for document in documents.iter().filter(|document| !document.diagnostics.is_empty()) {
-            console.print(document.report(&console, console::Stream::Output) + "\n")?;
+            console.print(document.report(&console, Stream::Output) + "\n")?;
         }
         if !console.quiet {
             let files = number::files(console.lang, documents.len());
@@ -72,16 +73,12 @@ fn lint_together(documents: &mut [Document]) {
         .collect();
     let owners: Vec<Option<usize>> = documents.iter().map(|document| scene_of(document, documents, &scenes)).collect();
     for (place, scene) in scenes {
-        let with = || (0..owners.len()).filter(|&other| owners[other] == Some(place));
-        let views: Vec<Arc<View>> = with().flat_map(|other| documents[other].views().to_vec()).collect();
-        for finding in lint(&scene, &views) {
-            let view =
-                finding.names().into_iter().find(|(kind, _)| *kind == NameKind::View).map(|(_, name)| name.clone());
-            let owner =
-                view.and_then(|view| with().find(|&other| documents[other].views().iter().any(|v| v.name == view)));
-            let document = &mut documents[owner.unwrap_or(place)];
-            let span = document.place_of(&finding);
-            document.diagnostics.push(Diagnostic::warning(span, finding));
+        let with: Vec<usize> = (0..owners.len()).filter(|&other| owners[other] == Some(place)).collect();
+        let view_documents: Vec<&Document> = with.iter().map(|&other| &documents[other]).collect();
+        let views: Vec<Arc<View>> = view_documents.iter().flat_map(|document| document.views().to_vec()).collect();
+        for (finding, owner, span) in documents::findings(&scene, &views, &documents[place], &view_documents) {
+            let owner = owner.map_or(place, |owner| with[owner]);
+            documents[owner].diagnostics.push(Diagnostic::warning(span, finding));
         }
     }
 }
@@ -196,7 +193,7 @@ impl Found {
 
 /// Whether a finding may well be meant.
 fn is_note(finding: &Finding) -> bool {
-    finding.weight() == lancer_scene::Weight::Note
+    finding.weight() == Weight::Note
 }
 
 #[cfg(test)]

@@ -1,17 +1,20 @@
 //! `lancer SCENE VIEW [OUTPUT]`: the subject's contract (§5.3): two mandatory arguments, `output.ppm` by default.
 
+use crate::console::Console;
 use crate::failure::PictureOf;
-use crate::stats::{PictureStats, Stats, StatsForm};
+use crate::stats::{PictureStats, Stats};
 use crate::{Context, Exit, Failure, documents, flags, progress, target};
 use clap::{Arg, ArgMatches};
 use lancer_formats::picture::{self, Format};
 use lancer_formats::save;
 use lancer_render::{RenderOptions, Still, render_still};
+use lancer_scene::{View, Views};
 use lancer_trace::World;
 use lancer_words::Lang;
 use lancer_words::cli::help;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Where the picture goes if nothing is said (subject §5.3).
@@ -51,76 +54,93 @@ pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
 pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
     let console = context.console.quiet_if(matches.get_flag("quiet"));
     let output = matches.get_one::<PathBuf>("output").map_or(Path::new(OUTPUT), PathBuf::as_path);
-    let binary = matches.get_flag("binary");
-    let all_views = matches.get_flag("all-views");
-    if all_views && target::is_standard(output) {
+    if matches.get_flag("all-views") && target::is_standard(output) {
         return Err(Failure::AllViewsToStdout);
     }
-    let stats_form = matches.get_one::<String>("stats").map(|form| match form.as_str() {
-        "json" => StatsForm::Json,
-        _ => StatsForm::Text,
-    });
-    let format = Format::of_path(output, binary).map_err(Failure::UnknownExtension)?;
+    let format = Format::of_path(output, matches.get_flag("binary")).map_err(Failure::UnknownExtension)?;
 
     let started = Instant::now();
-    let options = flags::load_options(matches);
-    let scene = documents::scene(flags::path_of(matches, "scene"), &options, &console)?;
     let view_path = flags::path_of(matches, "view-file");
-    let views = documents::views(view_path, &options, &console)?;
-    let chosen = match all_views {
-        true => views.iter().map(|view| flags::changed_view(view, matches)).collect(),
-        false => {
-            let name = matches.get_one::<String>("view").map(String::as_str);
-            vec![flags::changed_view(documents::view(&views, name, view_path)?, matches)]
-        }
-    };
+    let scene_path = flags::path_of(matches, "scene");
+    let stage = documents::stage(scene_path, view_path, &flags::load_options(matches), &console)?;
+    let chosen = chosen(&stage.views, view_path, matches)?;
+    // of the views as they stand: what the command line asks for is meant
+    stage.warn(&chosen, &console);
     let read = started.elapsed();
 
-    let render = RenderOptions {
+    let options = RenderOptions {
         threads: flags::number_of(matches, "threads").and_then(NonZeroUsize::new),
         region: matches.get_one("region").copied(),
         max_rays: flags::number_of(matches, "max-rays"),
         keep_linear: format.is_linear(),
     };
-    for view in &chosen {
-        documents::check_view(view)?;
-        if let Some(region) = render.region.filter(|region| !region.lies_within(view.width, view.height)) {
-            return Err(Failure::RegionOutside { region, picture: PictureOf::new(view) });
-        }
-    }
-    let outputs = match all_views {
-        true => target::for_all_views(output, &chosen)?,
+    let views: Vec<View> = chosen.iter().map(|view| flags::changed_view(view, matches)).collect();
+    let outputs = match matches.get_flag("all-views") {
+        true => target::for_all_views(output, &views)?,
         false => vec![output.to_owned()],
     };
-    for output in &outputs {
-        save::check(output).map_err(Failure::Save)?;
-    }
+    // everything that can be known to go wrong is told before the first ray
+    views.iter().try_for_each(|view| check(view, &options))?;
+    outputs.iter().try_for_each(|output| save::check(output).map_err(Failure::Save))?;
 
     let started = Instant::now();
-    let world = World::compile(&scene);
+    let world = World::compile(&stage.scene);
     let mut stats = Stats { version: 1, read, compile: started.elapsed(), pictures: Vec::new() };
-    for (view, output) in chosen.iter().zip(&outputs) {
-        let bar = progress::bar(&console, &view.name, 1);
+    for (view, output) in views.iter().zip(&outputs) {
         let started = Instant::now();
-        let still: Still = render_still(&world, view, &render, &context.cancel, |done, all| {
-            bar.set_length(all);
-            bar.set_position(done);
-        })
-        .map_err(|error| Failure::render(error, view))?;
-        bar.finish_and_clear();
+        let still = render(&world, view, &options, context, &console)?;
         let rendered = started.elapsed();
         let started = Instant::now();
         target::write(output, context, |out| picture::write(&still.picture, format, out))?;
         stats.pictures.push(PictureStats::new(&view.name, output, &still, rendered, started.elapsed()));
     }
-    if let Some(form) = stats_form {
-        let told = stats.told(form, console.lang);
-        match target::is_standard(output) {
-            true => console.tell(&told),
-            false => console.print(told)?,
-        }
-    } else if console.shows_progress() {
-        stats.pictures.iter().for_each(|picture| console.tell(&picture.summary(console.lang)));
-    }
+    tell(&stats, output, matches, &console)?;
     Ok(Exit::Done)
+}
+
+/// The views that are asked for: all of them, the one of a name, or the first.
+fn chosen(views: &Views, path: &Path, matches: &ArgMatches) -> Result<Vec<Arc<View>>, Failure> {
+    let name = matches.get_one::<String>("view").map(String::as_str);
+    let one = documents::view(views, name, path)?;
+    Ok(if matches.get_flag("all-views") { views.to_vec() } else { vec![Arc::clone(one)] })
+}
+
+/// Whether a view, as the command line has changed it, can be rendered.
+fn check(view: &View, options: &RenderOptions) -> Result<(), Failure> {
+    view.check().map_err(|rule| Failure::ViewInvalid { view: view.name.clone(), rule })?;
+    match options.region.filter(|region| !region.lies_within(view.width, view.height)) {
+        Some(region) => Err(Failure::RegionOutside { region, picture: PictureOf::new(view) }),
+        None => Ok(()),
+    }
+}
+
+/// Renders a view, with a progress bar for somebody who looks.
+fn render(
+    world: &World,
+    view: &View,
+    options: &RenderOptions,
+    context: &Context,
+    console: &Console,
+) -> Result<Still, Failure> {
+    let bar = progress::bar(console, &view.name);
+    let still = render_still(world, view, options, &context.cancel, |done, all| {
+        bar.set_length(all);
+        bar.set_position(done);
+    });
+    bar.finish_and_clear();
+    still.map_err(|error| Failure::render(error, view))
+}
+
+/// The statistics where they are asked for; else, for somebody who looks, where the pictures are.
+fn tell(stats: &Stats, output: &Path, matches: &ArgMatches, console: &Console) -> Result<(), Failure> {
+    match matches.get_one::<String>("stats").map(String::as_str) {
+        // standard output may be the picture's
+        Some(form) if target::is_standard(output) => console.tell(&stats.told(form == "json", console.lang)),
+        Some(form) => console.print(stats.told(form == "json", console.lang))?,
+        None if console.shows_progress() => {
+            stats.pictures.iter().for_each(|picture| console.tell(&picture.summary(console.lang)));
+        }
+        None => {}
+    }
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! What the tests of the program share: a folder of small documents, and the program run in it.
 #![allow(dead_code, reason = "each test file uses its own part")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use assert_cmd::Command;
 use std::fs;
@@ -34,6 +35,7 @@ pub(crate) const VIEWS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 pub(crate) const ENDLESS: &str = r#"<scene version="1">
   <world depth="64"/>
   <material name="both" kr="0.5" kt="0.5" index="1.1"/>
+  <light position="0 0 5"/>
   <box name="a" origin="-9 -9 -1" u="18 0 0" v="0 18 0" w="0 0 0.5" material="both"/>
   <box name="b" origin="-9 -9 -2" u="18 0 0" v="0 18 0" w="0 0 0.5" material="both"/>
   <box name="c" origin="-9 -9 -3" u="18 0 0" v="0 18 0" w="0 0 0.5" material="both"/>

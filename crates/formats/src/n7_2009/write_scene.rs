@@ -22,6 +22,7 @@ pub fn write_scene(scene: &Scene) -> (String, Vec<Loss>) {
 
     let mut writer = Writer::new();
     let mut names = AutomaticNames::new([]);
+    let mut surfaces = HashMap::new();
     writer.around("Scene", "", |writer| {
         for object in &objects {
             for (number, (material, shape)) in pieces(object).into_iter().enumerate() {
@@ -30,7 +31,13 @@ pub fn write_scene(scene: &Scene) -> (String, Vec<Loss>) {
                     losses.of(Feature::Name, &object.name);
                 }
                 writer.around("ObjetGraphique", "", |writer| {
-                    write_surface(&scene.surface(&material), writer);
+                    // Many objects may have one material.
+                    let written = surfaces.entry(identity(&material)).or_insert_with(|| {
+                        let before = writer.text.len();
+                        write_surface(&scene.surface(&material), writer);
+                        writer.text.split_off(before)
+                    });
+                    writer.text.push_str(written);
                     write_shape(&shape, writer);
                 });
             }

@@ -7,7 +7,7 @@
 
 mod scene;
 
-pub use scene::{SceneFormat, UnknownSceneExtension, save_scene, scene_bytes};
+pub use scene::{Origin, SceneFormat, UnknownSceneExtension, save_scene, scene_bytes};
 
 use crate::Describe;
 use lancer_words::{Lang, file as words};

@@ -3,6 +3,7 @@
 use super::{SaveError, is_standard, save};
 use crate::load::{FolderOfDocument, LoadOptions};
 use crate::mesh::MeshFiles;
+use crate::xml::Document;
 use crate::{binary, xml};
 use lancer_scene::{MaterialRef, Mesh, Object, Scene, Shape};
 use lancer_words::{Lang, file as words};
@@ -51,21 +52,35 @@ impl SceneFormat {
     }
 }
 
+/// Where a scene was loaded from.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// The path of the file.
+    pub path: &'a Path,
+    /// Its document, if it is a native one; what did not change stays as it stands there.
+    pub document: Option<&'a Document>,
+}
+
 /// The bytes of a scene for a file at `path`, whose extension need not mean the format.
 ///
-/// A document names the files of its meshes; `origin` is the path of the file that the scene was loaded from. A name
-/// that leads to the same mesh from the new place is kept, else it is made to, else the vertices are written into the
-/// document: it reads back as the same scene wherever it goes.
+/// A document names the files of its meshes. A name that leads to the same mesh from the new place is kept, else it is
+/// made to, else the vertices are written into the document: it reads back as the same scene wherever it goes.
 pub fn scene_bytes(
     scene: &Scene,
     format: SceneFormat,
     path: &Path,
-    origin: Option<&Path>,
+    origin: Option<Origin<'_>>,
     options: LoadOptions,
 ) -> Vec<u8> {
-    match format {
-        SceneFormat::Binary => binary::write_scene(scene),
-        SceneFormat::Xml => xml::write_scene(&with_meshes_found(scene, path, origin, options)).into_bytes(),
+    if format == SceneFormat::Binary {
+        return binary::write_scene(scene);
+    }
+    let origin_path = origin.map(|origin| origin.path);
+    match origin.and_then(|origin| Some((origin.document?, folder(origin.path) == folder(path)))) {
+        // The names were right when it was loaded.
+        Some((document, true)) => xml::patch_scene(document, scene),
+        Some((document, false)) => xml::patch_scene(document, &with_meshes_found(scene, path, origin_path, options)),
+        None => xml::write_scene(&with_meshes_found(scene, path, origin_path, options)).into_bytes(),
     }
 }
 
@@ -77,7 +92,7 @@ pub fn save_scene(
     scene: &Scene,
     format: SceneFormat,
     path: &Path,
-    origin: Option<&Path>,
+    origin: Option<Origin<'_>>,
     options: LoadOptions,
 ) -> Result<(), SaveError> {
     let bytes = scene_bytes(scene, format, path, origin, options);

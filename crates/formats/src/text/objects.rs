@@ -131,10 +131,12 @@ fn aligned(objects: &[Vec<Field>], width: usize) -> Vec<Vec<String>> {
         table
     };
     let mut in_a_line = most;
-    while in_a_line > 1 && table(in_a_line).width() > width {
+    let mut fitting = table(most);
+    while in_a_line > 1 && fitting.width() > width {
         in_a_line = in_a_line.div_ceil(2);
+        fitting = table(in_a_line);
     }
-    let mut lines = table(in_a_line).lines().into_iter();
+    let mut lines = fitting.lines().into_iter();
     objects.iter().map(|fields| lines.by_ref().take(fields.len().div_ceil(in_a_line)).collect()).collect()
 }
 

@@ -89,7 +89,7 @@ impl Table {
         let widths = self.widths();
         let line = |row: &Vec<Cell>| {
             let mut line = String::new();
-            let mut start = 0;
+            let (mut start, mut filled) = (0, 0);
             for ((cell, width), gap) in row.iter().zip(&widths).zip(&self.gaps) {
                 let end = start + width.total_after(*gap);
                 start = end - width.total();
@@ -99,8 +99,10 @@ impl Table {
                 };
                 if let Cell::Text(text) | Cell::Over(text) | Cell::Number(text) = cell {
                     // Words over several columns may reach further than these.
-                    line.extend(std::iter::repeat_n(' ', (start + indent).saturating_sub(line.width())));
+                    let blanks = (start + indent).saturating_sub(filled);
+                    line.extend(std::iter::repeat_n(' ', blanks));
                     line.push_str(text);
+                    filled += blanks + text.width();
                 }
                 start = end;
             }

@@ -49,6 +49,11 @@ impl<'d> Sink<'d> {
         lines.line(offset)
     }
 
+    /// Whether some problem is an error.
+    pub(super) fn has_failed(&self) -> bool {
+        self.failed
+    }
+
     /// The value if no problem is an error, and all problems in the order of the text.
     pub(crate) fn finish<T>(mut self, value: Option<T>) -> Outcome<T> {
         // What has no place comes last.

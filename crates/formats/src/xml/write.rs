@@ -25,47 +25,48 @@ pub fn write_scene(scene: &Scene) -> String {
     let mut out = String::from(DECLARATION);
     begin(&mut out, "", &SCENE, &values::scene(scene), Columns::default());
     out.push_str(">\n");
-    let world = values::world(&scene.world);
-    let mut groups = 0;
-    let mut gap = |out: &mut String| {
-        if groups > 0 {
-            out.push('\n');
-        }
-        groups += 1;
-    };
-    if !written(&WORLD, &world).is_empty() {
-        gap(&mut out);
-        begin(&mut out, STEP, &WORLD, &world, Columns::default());
-        out.push_str("/>\n");
-    }
-    let names: [Vec<(&str, &str)>; 3] = [
-        scene.materials.iter().map(|material| (MATERIAL.name, &*material.name)).collect(),
-        scene.lights.iter().map(|light| (LIGHT.name, &*light.name)).collect(),
-        scene.objects.iter().map(|object| (object.shape.element(), &*object.name)).collect(),
-    ];
-    let [materials, lights, objects] = names.map(Columns::of);
-    if !scene.materials.is_empty() {
-        gap(&mut out);
-    }
-    for material in &scene.materials {
-        begin(&mut out, STEP, &MATERIAL, &values::material(material), materials);
-        out.push_str("/>\n");
-    }
-    if !scene.lights.is_empty() {
-        gap(&mut out);
-    }
-    for light in &scene.lights {
-        begin(&mut out, STEP, &LIGHT, &values::light(light), lights);
-        out.push_str("/>\n");
-    }
-    if !scene.objects.is_empty() {
-        gap(&mut out);
-    }
-    for object in &scene.objects {
-        write_object(&mut out, STEP, object, objects);
-    }
+    write_content(&mut out, scene);
     end(&mut out, "", &SCENE);
     out
+}
+
+/// Everything within `scene`: its groups, with an empty line between them.
+pub(super) fn write_content(out: &mut String, scene: &Scene) {
+    let begun = out.len();
+    let gap = |out: &mut String| out.push_str(if out.len() > begun { "\n" } else { "" });
+    let world = values::world(&scene.world);
+    if !written(&WORLD, &world).is_empty() {
+        write_line(out, STEP, &WORLD, &world);
+    }
+    if !scene.materials.is_empty() {
+        gap(out);
+        let columns = Columns::of(scene.materials.iter().map(|material| (MATERIAL.name, &*material.name)));
+        for material in &scene.materials {
+            begin(out, STEP, &MATERIAL, &values::material(material), columns);
+            out.push_str("/>\n");
+        }
+    }
+    if !scene.lights.is_empty() {
+        gap(out);
+        let columns = Columns::of(scene.lights.iter().map(|light| (LIGHT.name, &*light.name)));
+        for light in &scene.lights {
+            begin(out, STEP, &LIGHT, &values::light(light), columns);
+            out.push_str("/>\n");
+        }
+    }
+    if !scene.objects.is_empty() {
+        gap(out);
+        let columns = Columns::of(scene.objects.iter().map(|object| (object.shape.element(), &*object.name)));
+        for object in &scene.objects {
+            write_object(out, STEP, object, columns);
+        }
+    }
+}
+
+/// An element of nothing but attributes, on a line of its own.
+pub(super) fn write_line(out: &mut String, indent: &str, rule: &'static ElementRule, values: &Values<'_>) {
+    begin(out, indent, rule, values, Columns::default());
+    out.push_str("/>\n");
 }
 
 /// Views as a native document in the canonical layout. What was read from it reads back as the same views.
@@ -83,11 +84,9 @@ pub(super) fn write_view(out: &mut String, indent: &str, view: &View) {
     let inner = format!("{indent}{STEP}");
     begin(out, indent, &VIEW, &values::view(view), Columns::default());
     out.push_str(">\n");
-    begin(out, &inner, &EYE, &values::eye(view), Columns::default());
-    out.push_str("/>\n");
+    write_line(out, &inner, &EYE, &values::eye(view));
     if let Some(screen) = values::screen(view) {
-        begin(out, &inner, &SCREEN, &screen, Columns::default());
-        out.push_str("/>\n");
+        write_line(out, &inner, &SCREEN, &screen);
     }
     end(out, indent, &VIEW);
 }
@@ -117,33 +116,39 @@ pub(super) fn write_object(out: &mut String, indent: &str, object: &Object, colu
     end(out, indent, rule);
 }
 
-pub(super) fn is_inline(material: &MaterialRef) -> bool {
+fn is_inline(material: &MaterialRef) -> bool {
     matches!(material, MaterialRef::Inline(_))
 }
 
 /// An inline material on a line of its own; nothing for other materials.
 pub(super) fn write_inline(out: &mut String, indent: &str, material: &MaterialRef) {
     if let MaterialRef::Inline(surface) = material {
-        begin(out, indent, &MATERIAL, &values::surface(surface), Columns::default());
-        out.push_str("/>\n");
+        write_line(out, indent, &MATERIAL, &values::surface(surface));
     }
 }
 
 fn write_geometry(out: &mut String, indent: &str, mesh: &Mesh) {
     let geometry = &mesh.geometry;
-    let mut list = |rule: &ElementRule, write: &dyn Fn(&mut String, &str)| {
-        let _ = write!(out, "{indent}<{}>", rule.name);
-        write(out, indent);
-        let _ = writeln!(out, "</{}>", rule.name);
+    let mut list = |rule: &ElementRule, write: &dyn Fn(&mut String)| {
+        out.push_str(indent);
+        write_list(out, rule, write);
+        out.push('\n');
     };
-    list(&VERTICES, &|out, indent| write_points(out, indent, &geometry.positions, "\n"));
+    list(&VERTICES, &|out| write_points(out, indent, &geometry.positions));
     if !geometry.normals.is_empty() {
-        list(&NORMALS, &|out, indent| write_points(out, indent, &geometry.normals, "\n"));
+        list(&NORMALS, &|out| write_points(out, indent, &geometry.normals));
     }
-    list(&FACETS, &|out, indent| write_facets(out, indent, &geometry.facets, "\n"));
+    list(&FACETS, &|out| write_facets(out, indent, &geometry.facets));
     for part in &geometry.parts {
         write_part(out, indent, part);
     }
+}
+
+/// An element around what `write` writes.
+fn write_list(out: &mut String, rule: &ElementRule, write: impl FnOnce(&mut String)) {
+    let _ = write!(out, "<{}>", rule.name);
+    write(out);
+    let _ = write!(out, "</{}>", rule.name);
 }
 
 pub(super) fn write_part(out: &mut String, indent: &str, part: &Part) {
@@ -158,7 +163,7 @@ pub(super) fn write_part(out: &mut String, indent: &str, part: &Part) {
 }
 
 /// The text of a list of points within an element at `indent`.
-pub(super) fn write_points(out: &mut String, indent: &str, points: &[DVec3], line_end: &str) {
+pub(super) fn write_points(out: &mut String, indent: &str, points: &[DVec3]) {
     let write = |out: &mut String, point: &DVec3| {
         let mut gap = "";
         for number in point.to_array() {
@@ -167,17 +172,19 @@ pub(super) fn write_points(out: &mut String, indent: &str, points: &[DVec3], lin
             gap = " ";
         }
     };
-    write_list(out, indent, points, line_end, write);
+    write_items(out, indent, points, write);
 }
 
 /// The text of a list of facets within an element at `indent`.
-pub(super) fn write_facets(out: &mut String, indent: &str, facets: &[[u32; 3]], line_end: &str) {
-    let write = |out: &mut String, [a, b, c]: &[u32; 3]| drop(write!(out, "{a} {b} {c}"));
-    write_list(out, indent, facets, line_end, write);
+pub(super) fn write_facets(out: &mut String, indent: &str, facets: &[[u32; 3]]) {
+    let write = |out: &mut String, [a, b, c]: &[u32; 3]| {
+        let _ = write!(out, "{a} {b} {c}");
+    };
+    write_items(out, indent, facets, write);
 }
 
 /// Short lists stand on the line of their tags, others with one item a line.
-fn write_list<T>(out: &mut String, indent: &str, items: &[T], line_end: &str, write: impl Fn(&mut String, &T)) {
+fn write_items<T>(out: &mut String, indent: &str, items: &[T], write: impl Fn(&mut String, &T)) {
     let begun = out.len();
     for (number, item) in items.iter().enumerate() {
         out.push_str(if number == 0 { "" } else { STEP });
@@ -191,10 +198,10 @@ fn write_list<T>(out: &mut String, indent: &str, items: &[T], line_end: &str, wr
     }
     out.truncate(begun);
     for item in items {
-        let _ = write!(out, "{line_end}{indent}{STEP}");
+        let _ = write!(out, "\n{indent}{STEP}");
         write(out, item);
     }
-    let _ = write!(out, "{line_end}{indent}");
+    let _ = write!(out, "\n{indent}");
 }
 
 /// The shortest decimal that reads back as the same number, as [`super::shortest`] gives it.
@@ -214,18 +221,16 @@ pub(super) struct Columns {
 
 impl Columns {
     /// The widths for elements and names.
-    fn of(lines: Vec<(&str, &str)>) -> Columns {
-        let width = |name: &str| escape(name).chars().count();
-        let names = lines.iter().map(|(_, name)| width(name)).filter(|width| *width <= NAME);
-        Columns {
-            element: lines.iter().map(|(element, _)| element.len()).max().unwrap_or_default(),
-            name: names.max().unwrap_or_default(),
-        }
+    fn of<'l>(lines: impl Iterator<Item = (&'l str, &'l str)>) -> Columns {
+        lines.fold(Columns::default(), |widest, (element, name)| {
+            let name = Some(escape(name).chars().count()).filter(|width| *width <= NAME).unwrap_or_default();
+            Columns { element: widest.element.max(element.len()), name: widest.name.max(name) }
+        })
     }
 }
 
 /// A start tag up to its last attribute.
-pub(super) fn begin(out: &mut String, indent: &str, rule: &'static ElementRule, values: &Values<'_>, columns: Columns) {
+fn begin(out: &mut String, indent: &str, rule: &'static ElementRule, values: &Values<'_>, columns: Columns) {
     let _ = write!(out, "{indent}<{}", rule.name);
     let mut padding = columns.element.saturating_sub(rule.name.len());
     for (name, text) in written(rule, values) {

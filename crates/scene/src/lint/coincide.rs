@@ -35,6 +35,19 @@ struct Face {
     magnitude: f64,
 }
 
+impl Face {
+    /// The box around it, a little larger than it is; without end if it is infinite.
+    fn extent(&self) -> (DVec3, DVec3) {
+        if self.corners.is_empty() {
+            return (DVec3::NEG_INFINITY, DVec3::INFINITY);
+        }
+        let rounding = DVec3::splat(ROUNDING * self.magnitude);
+        let low = self.corners.iter().fold(DVec3::INFINITY, |low, corner| low.min(*corner));
+        let high = self.corners.iter().fold(DVec3::NEG_INFINITY, |high, corner| high.max(*corner));
+        (low - rounding, high + rounding)
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Body {
     Volume,
@@ -118,33 +131,25 @@ fn equal_planes(scenery: &Scenery<'_>, pairs: &mut BTreeSet<(usize, usize)>) {
 fn overlaps(scenery: &Scenery<'_>, faces: &[Face], pairs: &mut BTreeSet<(usize, usize)>) {
     let Some(normal) = faces.first().map(|face| face.normal.abs()).filter(|_| faces.len() > 1) else { return };
     let axis = (0..3).min_by(|&a, &b| normal[a].total_cmp(&normal[b])).unwrap_or(0);
-    let extent = |face: &Face| {
-        let range = face.corners.iter().map(|corner| corner[axis]);
-        if face.corners.is_empty() {
-            (f64::NEG_INFINITY, f64::INFINITY)
-        } else {
-            (range.clone().fold(f64::INFINITY, f64::min), range.fold(f64::NEG_INFINITY, f64::max))
-        }
-    };
-    let mut swept: Vec<(f64, f64, &Face)> = faces
+    let mut swept: Vec<(DVec3, DVec3, &Face)> = faces
         .iter()
         .map(|face| {
-            let (low, high) = extent(face);
+            let (low, high) = face.extent();
             (low, high, face)
         })
         .collect();
-    swept.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.object.cmp(&b.2.object)));
-    for (place, (_, high, face)) in swept.iter().enumerate() {
-        for (low, _, other) in &swept[place + 1..] {
+    swept.sort_by(|a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.2.object.cmp(&b.2.object)));
+    for (place, (low, high, face)) in swept.iter().enumerate() {
+        for (other_low, other_high, other) in &swept[place + 1..] {
             if pairs.len() >= PAIRS {
                 return;
             }
-            if low >= high || !scenery.afford(1) {
+            if other_low[axis] >= high[axis] || !scenery.afford(1) {
                 break;
             }
-            let pair = (face.object.min(other.object), face.object.max(other.object));
-            if pair.0 != pair.1 && is_seen(scenery, face, other) && share_area(face, other) {
-                pairs.insert(pair);
+            let beside = other_low.cmpgt(*high).any() || low.cmpgt(*other_high).any();
+            if !beside && face.object != other.object && is_seen(scenery, face, other) && share_area(face, other) {
+                pairs.insert((face.object.min(other.object), face.object.max(other.object)));
             }
         }
     }

@@ -3,8 +3,6 @@
 use super::Finding;
 use super::scenery::Scenery;
 use crate::{Enclosure, Shape};
-use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Nothing is there to be seen.
 pub(super) fn no_object(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
@@ -47,13 +45,11 @@ pub(super) fn hidden_behind_plane(scenery: &Scenery<'_>, findings: &mut Vec<Find
 
 /// An open mesh is a sheet without thickness: light passes it straight on.
 pub(super) fn open_glass(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
-    let mut enclosures = HashMap::new();
     for visible in scenery.visible.iter().filter(|visible| visible.is_transparent()) {
         let Some(geometry) = visible.object.shape.geometry().filter(|geometry| !geometry.facets.is_empty()) else {
             continue;
         };
-        let enclosure = *enclosures.entry(Arc::as_ptr(geometry)).or_insert_with(|| geometry.enclosure());
-        if enclosure == Enclosure::Sheet {
+        if scenery.enclosure(geometry) == Enclosure::Sheet {
             findings.push(Finding::OpenGlass { object: visible.object.name.clone() });
         }
     }

@@ -3,8 +3,6 @@
 use super::scenery::{Halves, Scenery};
 use super::{Bounce, Finding};
 use crate::{DVec3, Enclosure, Name, Shape, Steps, limits};
-use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Every depth limit in force, whose it is, and the steps that are carried out under it.
 fn limits_in_force(scenery: &Scenery<'_>) -> Vec<(Option<Name>, u32, Steps)> {
@@ -30,7 +28,6 @@ fn limits_in_force(scenery: &Scenery<'_>) -> Vec<(Option<Name>, u32, Steps)> {
 /// The least depth with which something shows what it mirrors or lets through: a mirror or a sheet sends one ray; a
 /// volume sends one in, which must send another out.
 pub(super) fn depth_too_small(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
-    let mut enclosures = HashMap::new();
     let mut needs: Vec<(Bounce, u32, &Name)> = Vec::new();
     for visible in &scenery.visible {
         let name = &visible.object.name;
@@ -38,11 +35,7 @@ pub(super) fn depth_too_small(scenery: &Scenery<'_>, findings: &mut Vec<Finding>
             let volume = match &visible.object.shape {
                 Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Parallelepiped { .. } => true,
                 Shape::Plane { .. } | Shape::Facet { .. } => false,
-                Shape::Mesh(mesh) => {
-                    let geometry = &mesh.geometry;
-                    let enclosure = enclosures.entry(Arc::as_ptr(geometry)).or_insert_with(|| geometry.enclosure());
-                    *enclosure != Enclosure::Sheet
-                }
+                Shape::Mesh(mesh) => scenery.enclosure(&mesh.geometry) != Enclosure::Sheet,
             };
             needs.push((Bounce::Transparency, if volume { 2 } else { 1 }, name));
         }

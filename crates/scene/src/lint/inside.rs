@@ -40,8 +40,8 @@ impl Scenery<'_> {
         if !self.afford(1) || !within {
             return false;
         }
-        // Sorting the edges and summing the angles cost some dozens of times what a look at a sphere does.
-        if !self.afford(20 * geometry.facets.len()) || geometry.enclosure() == Enclosure::Sheet {
+        // An angle costs some times what a look at a sphere does.
+        if !self.afford(10 * geometry.facets.len()) || self.enclosure(geometry) == Enclosure::Sheet {
             return false;
         }
         let solid_angle = |facet: &[u32; 3]| {

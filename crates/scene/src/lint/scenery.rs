@@ -1,12 +1,14 @@
 //! What the rules of lint look at: the visible objects with their surfaces, and a limit to the effort.
 
-use crate::{DVec3, MaterialRef, Mesh, MeshGeometry, Object, Placement, PointLight, Scene, Shape, Surface, View};
+use crate::{
+    DVec3, Enclosure, MaterialRef, Mesh, MeshGeometry, Object, Placement, PointLight, Scene, Shape, Surface, View,
+};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// How many items lint looks at in all before it becomes silent: some tenths of a second.
+/// How many items lint looks at in all before it becomes silent: well under a second of work.
 const EFFORT: u64 = 50_000_000;
 
 /// A scene and its views, prepared for the rules.
@@ -18,6 +20,8 @@ pub(super) struct Scenery<'a> {
     effort: Cell<u64>,
     /// Bounds of geometries before placement; many objects may share one.
     bounds: RefCell<HashMap<*const MeshGeometry, Option<(DVec3, DVec3)>>>,
+    /// What geometries enclose before placement.
+    enclosures: RefCell<HashMap<*const MeshGeometry, Enclosure>>,
 }
 
 /// A visible object.
@@ -101,7 +105,8 @@ impl<'a> Scenery<'a> {
                 Visible { object, surfaces }
             })
             .collect();
-        Scenery { scene, views, visible, effort: Cell::new(EFFORT), bounds: RefCell::default() }
+        let effort = Cell::new(EFFORT);
+        Scenery { scene, views, visible, effort, bounds: RefCell::default(), enclosures: RefCell::default() }
     }
 
     /// The visible lamps.
@@ -183,5 +188,10 @@ impl<'a> Scenery<'a> {
             .borrow_mut()
             .entry(Arc::as_ptr(&mesh.geometry))
             .or_insert_with(|| Shape::Mesh(Mesh { placement: Placement::default(), ..mesh.clone() }).bounds())
+    }
+
+    /// What a geometry encloses before placement.
+    pub(super) fn enclosure(&self, geometry: &Arc<MeshGeometry>) -> Enclosure {
+        *self.enclosures.borrow_mut().entry(Arc::as_ptr(geometry)).or_insert_with(|| geometry.enclosure())
     }
 }

@@ -5,13 +5,12 @@
 //! are left out. Later versions may add members; they never change the meaning of these.
 
 use super::Explanation;
-use super::path::ray_names;
-use crate::console;
+use super::path::RayNames;
 use lancer_scene::{Compose, DVec3, Highlight, Reflectance, Rgb};
-use lancer_trace::RayKind;
 use lancer_trace::explain::SampleTree;
 use lancer_trace::observe::{Composed, GlassPath, LampLight, Omitted, RayNode, Seen, Term};
-use serde::Serialize;
+use lancer_trace::{RayKind, RayTree};
+use serde::{Serialize, Serializer};
 
 type Triple = [f64; 3];
 
@@ -41,7 +40,17 @@ struct Sample<'a> {
     x: f64,
     y: f64,
     color: Triple,
-    rays: Vec<Ray<'a>>,
+    rays: Rays<'a>,
+}
+
+/// The rays of a tree, put together one by one while they are written: there may be a million.
+struct Rays<'a>(&'a RayTree);
+
+impl Serialize for Rays<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let names = RayNames::new(self.0);
+        serializer.collect_seq(self.0.nodes.iter().enumerate().map(|(number, node)| ray(node, names.of(number))))
+    }
 }
 
 #[derive(Serialize)]
@@ -155,15 +164,15 @@ enum Light<'a> {
     AtPoint,
 }
 
-/// The explanation as one line of JSON.
-pub(super) fn json(explanation: &Explanation<'_>) -> String {
+/// The explanation, to be written as one line of JSON.
+pub(super) fn json<'a>(explanation: &'a Explanation<'_>) -> impl Serialize + use<'a> {
     let Explanation { scene, view, settings, pixel, x, y } = explanation;
     let steps = [
         (settings.steps.shadows, "shadows"),
         (settings.steps.reflection, "reflection"),
         (settings.steps.transparency, "transparency"),
     ];
-    console::json(&Pixel {
+    Pixel {
         version: 1,
         scene: &scene.name,
         view: &view.name,
@@ -181,13 +190,11 @@ pub(super) fn json(explanation: &Explanation<'_>) -> String {
         samples: pixel.samples.iter().map(sample).collect(),
         color: pixel.color.to_array(),
         bytes: pixel.bytes,
-    })
+    }
 }
 
 fn sample(sample: &SampleTree) -> Sample<'_> {
-    let names = ray_names(&sample.tree);
-    let rays = sample.tree.nodes.iter().zip(names).map(|(node, name)| ray(node, name)).collect();
-    Sample { x: sample.x, y: sample.y, color: sample.color.to_array(), rays }
+    Sample { x: sample.x, y: sample.y, color: sample.color.to_array(), rays: Rays(&sample.tree) }
 }
 
 fn ray(node: &RayNode, name: String) -> Ray<'_> {

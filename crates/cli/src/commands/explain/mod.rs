@@ -52,26 +52,26 @@ pub(crate) fn command(lang: Lang) -> Command {
 pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
     let console = context.console.quiet_if(matches.get_flag("quiet"));
     let options = flags::load_options(matches);
-    let scene = documents::scene(flags::path_of(matches, "scene"), &options, &console)?;
     let view_path = flags::path_of(matches, "view-file");
-    let views = documents::views(view_path, &options, &console)?;
+    let stage = documents::stage(flags::path_of(matches, "scene"), view_path, &options, &console)?;
     let name = matches.get_one::<String>("view").map(String::as_str);
-    let view = flags::changed_view(documents::view(&views, name, view_path)?, matches);
+    let view = flags::changed_view(documents::view(&stage.views, name, view_path)?, matches);
     let camera = Camera::new(&view).map_err(|rule| Failure::render(RenderError::View(rule), &view))?;
     let (x, y) = (flags::number_of(matches, "x").unwrap_or(0), flags::number_of(matches, "y").unwrap_or(0));
     if x >= view.width || y >= view.height {
         return Err(Failure::PixelOutside { x, y, picture: PictureOf::new(&view) });
     }
 
-    let world = World::compile(&scene);
+    let world = World::compile(&stage.scene);
     let mut settings = Settings::of(&world, &view);
     settings.max_rays = flags::number_of(matches, "max-rays").unwrap_or(settings.max_rays);
     let pixel = explain(&world, &camera, settings, (x, y), &context.cancel)
         .map_err(|error| Failure::render(RenderError::at((x, y), error), &view))?;
-    let explanation = Explanation { scene: &scene, view: &view, settings, pixel, x, y };
-    let told = match matches.get_flag("json") {
-        true => json::json(&explanation),
-        false => text::text(&explanation, flags::number_of(matches, "levels"), console.lang),
-    };
-    console.print(told).map(|()| Exit::Done)
+    let explanation = Explanation { scene: &stage.scene, view: &view, settings, pixel, x, y };
+    let levels = flags::number_of(matches, "levels");
+    match matches.get_flag("json") {
+        true => console.print_json(&json::json(&explanation))?,
+        false => console.print_with(|out| text::write(&explanation, levels, console.lang, out))?,
+    }
+    Ok(Exit::Done)
 }

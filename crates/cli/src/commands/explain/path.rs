@@ -3,23 +3,42 @@
 
 use lancer_trace::{Channels, RayKind, RayTree};
 
-/// The name of every ray of a tree; the primary ray's is empty.
-pub(super) fn ray_names(tree: &RayTree) -> Vec<String> {
-    let mut names = vec![String::new(); tree.nodes.len()];
-    // a ray stands before the rays that it gives rise to
-    for number in 0..tree.nodes.len() {
-        for &child in &tree.nodes[number].children {
-            let node = &tree.nodes[child];
+/// Gives the rays of a tree their names. A name is put together when it is asked for: a tree may have a million rays.
+pub(super) struct RayNames<'a> {
+    tree: &'a RayTree,
+    /// The ray that each ray stems from; the primary ray's is its own number.
+    parents: Vec<usize>,
+}
+
+impl<'a> RayNames<'a> {
+    /// The names of a tree's rays.
+    pub(super) fn new(tree: &'a RayTree) -> RayNames<'a> {
+        let mut parents = vec![0; tree.nodes.len()];
+        for (number, node) in tree.nodes.iter().enumerate() {
+            for &child in &node.children {
+                parents[child] = number;
+            }
+        }
+        RayNames { tree, parents }
+    }
+
+    /// The name of a ray; the primary ray's is empty.
+    pub(super) fn of(&self, ray: usize) -> String {
+        let mut steps = Vec::new();
+        let mut ray = ray;
+        while ray != 0 {
+            let node = &self.tree.nodes[ray];
             let letter = match node.kind {
                 RayKind::Primary => "",
                 RayKind::Reflected => "R",
                 RayKind::Refracted => "T",
             };
-            let start = if number == 0 { String::new() } else { format!("{}·", names[number]) };
-            names[child] = format!("{start}{letter}{}{}", node.level, carried(node.channels));
+            steps.push(format!("{letter}{}{}", node.level, carried(node.channels)));
+            ray = self.parents[ray];
         }
+        steps.reverse();
+        steps.join("·")
     }
-    names
 }
 
 /// `[r]` or the like for a ray that does not carry every channel.

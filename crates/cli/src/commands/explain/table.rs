@@ -50,7 +50,7 @@ impl Line {
 pub(super) fn terms(
     node: &RayNode,
     surface: &SurfaceNode,
-    children: &[(&RayNode, &str)],
+    children: &[(&RayNode, String)],
     compose: Compose,
     lang: Lang,
 ) -> Vec<Line> {
@@ -73,7 +73,7 @@ pub(super) fn terms(
 struct Table<'a> {
     node: &'a RayNode,
     surface: &'a SurfaceNode,
-    children: &'a [(&'a RayNode, &'a str)],
+    children: &'a [(&'a RayNode, String)],
     compose: Compose,
     lang: Lang,
     /// The running sum before the term.
@@ -160,7 +160,7 @@ impl Table<'_> {
     /// `Ir seen along R1`, with every ray of those kinds.
     fn seen_along(&self, symbol: &str, serves: impl Fn(RayKind) -> bool) -> String {
         let names: Vec<&str> =
-            self.children.iter().filter(|(child, _)| serves(child.kind)).map(|(_, name)| *name).collect();
+            self.children.iter().filter(|(child, _)| serves(child.kind)).map(|(_, name)| name.as_str()).collect();
         words::seen_along(self.lang, symbol, names.join(", "))
     }
 

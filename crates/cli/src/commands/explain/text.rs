@@ -2,27 +2,36 @@
 
 use super::Explanation;
 use super::number::{CHANNEL_WIDTH, degrees, length, triple, vector};
-use super::path::ray_names;
+use super::path::RayNames;
 use super::table::{Line, terms};
 use lancer_scene::{Compose, Object, Shape};
 use lancer_trace::observe::{RayNode, Seen, SurfaceNode};
 use lancer_trace::{Channels, RayKind, RayTree};
 use lancer_words::{Lang, explain as words, number};
+use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
 
-/// The whole explanation, ready to print. Rays below `levels` are only counted.
-pub(super) fn text(explanation: &Explanation<'_>, levels: Option<u32>, lang: Lang) -> String {
+/// Writes the whole explanation. Rays below `levels` are only counted.
+///
+/// # Errors
+/// What `out` says.
+pub(super) fn write(
+    explanation: &Explanation<'_>,
+    levels: Option<u32>,
+    lang: Lang,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let Explanation { scene, view, settings, pixel, x, y } = explanation;
-    let mut out = words::title(lang, x, y, &view.name, view.width, view.height) + "\n";
+    writeln!(out, "{}", words::title(lang, x, y, &view.name, view.width, view.height))?;
     if !scene.name.is_empty() {
-        out += &(words::scene_title(lang, &scene.name) + "\n");
+        writeln!(out, "{}", words::scene_title(lang, one_line(&scene.name)))?;
     }
     let compose = match scene.world.compose {
         Compose::Screen => words::compose_screen(lang),
         Compose::ScreenEach => words::compose_screen_each(lang),
         Compose::Add => words::compose_add(lang),
     };
-    out += &(words::rules(lang, compose, settings.depth) + "\n");
+    writeln!(out, "{}", words::rules(lang, compose, settings.depth))?;
     let steps = [
         (settings.steps.shadows, words::step_shadows(lang)),
         (settings.steps.reflection, words::step_reflection(lang)),
@@ -30,20 +39,23 @@ pub(super) fn text(explanation: &Explanation<'_>, levels: Option<u32>, lang: Lan
     ];
     let left_out: Vec<String> = steps.into_iter().filter(|(done, _)| !done).map(|(_, step)| step).collect();
     if !left_out.is_empty() {
-        out += &(words::left_out(lang, left_out.join(", ")) + "\n");
+        writeln!(out, "{}", words::left_out(lang, left_out.join(", ")))?;
     }
     let count = pixel.samples.len();
     for (number, sample) in (1..).zip(&pixel.samples) {
-        out.push('\n');
+        writeln!(out)?;
         if count > 1 {
-            out += &(words::sample(lang, number, count, length(sample.x), length(sample.y)) + "\n\n");
+            writeln!(out, "{}\n", words::sample(lang, number, count, length(sample.x), length(sample.y)))?;
         }
-        let teller = Teller { explanation, tree: &sample.tree, names: ray_names(&sample.tree), levels, lang };
-        teller.ray(0, "", "", &mut out);
+        let teller = Teller { explanation, tree: &sample.tree, names: RayNames::new(&sample.tree), levels, lang };
+        teller.ray(0, "", "", out)?;
     }
-    out.push('\n');
-    out += &end(explanation, lang);
-    out
+    write!(out, "\n{}", end(explanation, lang))
+}
+
+/// A title on one line, whatever characters it holds.
+fn one_line(title: &str) -> String {
+    title.chars().map(|character| if character.is_control() { '\u{FFFD}' } else { character }).collect()
 }
 
 /// The last table: samples, their mean, the bytes.
@@ -71,33 +83,32 @@ fn heads(lang: Lang) -> Line {
 struct Teller<'a> {
     explanation: &'a Explanation<'a>,
     tree: &'a RayTree,
-    names: Vec<String>,
+    names: RayNames<'a>,
     levels: Option<u32>,
     lang: Lang,
 }
 
 impl Teller<'_> {
     /// A ray and all below it. `first` stands before its first line, `rest` before all others.
-    fn ray(&self, ray: usize, first: &str, rest: &str, out: &mut String) {
+    fn ray(&self, ray: usize, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
         let lang = self.lang;
-        let Some(node) = self.tree.nodes.get(ray) else { return };
-        *out += &format!("{first}{}\n", self.heading(ray, node));
+        let Some(node) = self.tree.nodes.get(ray) else { return Ok(()) };
+        writeln!(out, "{first}{}", self.heading(ray, node))?;
         let cut = self.levels.is_some_and(|levels| node.level >= levels) && !node.children.is_empty();
         let stem = if node.children.is_empty() { "  " } else { "│ " };
         for line in laid_out(&self.body(ray, node)) {
-            *out += format!("{rest}{stem}{line}").trim_end();
-            out.push('\n');
+            writeln!(out, "{}", format!("{rest}{stem}{line}").trim_end())?;
         }
         if cut {
             let more = number::more_rays(lang, self.rays_below(ray));
-            *out += &format!("{rest}└─ {}\n", words::rays_below(lang, more));
-            return;
+            return writeln!(out, "{rest}└─ {}", words::rays_below(lang, more));
         }
         for (place, &child) in (1..).zip(&node.children) {
-            *out += &format!("{rest}│\n");
+            writeln!(out, "{rest}│")?;
             let (branch, stem) = if place == node.children.len() { ("└─ ", "   ") } else { ("├─ ", "│  ") };
-            self.ray(child, &format!("{rest}{branch}"), &format!("{rest}{stem}"), out);
+            self.ray(child, &format!("{rest}{branch}"), &format!("{rest}{stem}"), out)?;
         }
+        Ok(())
     }
 
     /// How many rays stem from a ray.
@@ -115,7 +126,7 @@ impl Teller<'_> {
     /// The ray's name, its level and the medium that it travels in.
     fn heading(&self, ray: usize, node: &RayNode) -> String {
         let lang = self.lang;
-        let name = &self.names[ray];
+        let name = self.names.of(ray);
         let what = match node.kind {
             RayKind::Primary => words::primary(lang),
             RayKind::Reflected => words::reflected(lang, name),
@@ -147,15 +158,15 @@ impl Teller<'_> {
                 lines.extend(self.meeting(node, surface));
                 lines.push(Line::Blank);
                 lines.push(heads(lang));
-                let children: Vec<(&RayNode, &str)> = node
+                let children: Vec<(&RayNode, String)> = node
                     .children
                     .iter()
-                    .filter_map(|&child| Some((self.tree.nodes.get(child)?, self.names.get(child)?.as_str())))
+                    .filter_map(|&child| Some((self.tree.nodes.get(child)?, self.names.of(child))))
                     .collect();
                 lines.extend(terms(node, surface, &children, self.explanation.scene.world.compose, lang));
                 let what = match node.kind {
                     RayKind::Primary => words::clamped_sum(lang),
-                    RayKind::Reflected | RayKind::Refracted => words::seen_color(lang, &self.names[ray]),
+                    RayKind::Reflected | RayKind::Refracted => words::seen_color(lang, self.names.of(ray)),
                 };
                 lines.push(Line::carried(what, node.color, node.channels));
             }

@@ -1,0 +1,159 @@
+//! `lancer convert`: scenes, views and pictures from one format to another, with nothing lost that is not told.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{folder, run};
+use std::fs;
+use std::path::Path;
+
+fn convert(folder: &Path, args: &[&str]) -> String {
+    let (code, told, said) = run(folder, &[&["convert"], args].concat());
+    assert_eq!((code, told.as_str()), (0, ""), "{said}");
+    said
+}
+
+fn picture(folder: &Path, scene: &str, view: &str) -> String {
+    let (code, picture, said) = run(folder, &[scene, view, "-"]);
+    assert_eq!(code, 0, "{said}");
+    picture
+}
+
+#[test]
+fn a_scene_through_the_binary_format_and_back_is_the_same() {
+    let folder = folder();
+    let path = folder.path();
+    assert_eq!(convert(path, &["scene.xml", "canonical.xml"]), "");
+    assert_eq!(convert(path, &["scene.xml", "scene.lancer"]), "");
+    assert_eq!(convert(path, &["scene.lancer", "back.xml"]), "");
+    let read = |name: &str| fs::read_to_string(path.join(name)).unwrap();
+    assert_eq!(read("back.xml"), read("canonical.xml"));
+    assert_eq!(picture(path, "scene.lancer", "view.xml"), picture(path, "scene.xml", "view.xml"));
+    // `--to` overrules the extension, and standard output gets XML
+    assert_eq!(convert(path, &["scene.xml", "binary.xml", "--to", "binary"]), "");
+    assert_eq!(fs::read(path.join("binary.xml")).unwrap(), fs::read(path.join("scene.lancer")).unwrap());
+    assert_eq!(run(path, &["convert", "scene.lancer", "-"]).1, read("canonical.xml"));
+}
+
+#[test]
+fn views_are_written_in_the_canonical_layout() {
+    let folder = folder();
+    assert_eq!(convert(folder.path(), &["view.xml", "again.xml"]), "");
+    assert_eq!(picture(folder.path(), "scene.xml", "again.xml"), picture(folder.path(), "scene.xml", "view.xml"));
+    let (code, _, said) = run(folder.path(), &["convert", "view.xml", "view.lancer"]);
+    assert_eq!((code, said.as_str()), (1, "error: views have no binary form\n  help: write them as .xml\n"));
+}
+
+/// What the documents of 2009 cannot hold is told, and the picture of what they can hold is the same.
+#[test]
+fn documents_of_2009_are_written_with_the_list_of_losses() {
+    let folder = folder();
+    let path = folder.path();
+    let losses = convert(path, &["scene.xml", "old.xml", "--to", "2009"]);
+    assert!(losses.contains("old.xml") && losses.contains("background"), "{losses}");
+    assert_eq!(convert(path, &["scene.xml", "old.xml", "--to", "2009", "--quiet"]), "");
+    assert!(fs::read_to_string(path.join("old.xml")).unwrap().contains("<ObjetGraphique>"));
+    convert(path, &["old.xml", "new.xml"]);
+    assert_eq!(picture(path, "old.xml", "view.xml"), picture(path, "new.xml", "view.xml"));
+    convert(path, &["view.xml", "old.view.xml", "--to", "2009"]);
+    assert!(fs::read_to_string(path.join("old.view.xml")).unwrap().contains("<Rendu>"));
+    // one level: a screen in the format's corners is rounded
+    fs::write(path.join("a.ppm"), picture(path, "scene.xml", "view.xml")).unwrap();
+    fs::write(path.join("b.ppm"), picture(path, "scene.xml", "old.view.xml")).unwrap();
+    assert_eq!(run(path, &["diff", "a.ppm", "b.ppm", "--tolerance", "1"]).0, 0);
+}
+
+/// A mesh file that the new document would not find is written out.
+#[test]
+fn a_mesh_keeps_its_file_where_the_new_document_finds_it() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n").unwrap();
+    fs::write(
+        path.join("tent.xml"),
+        "<scene version='1'><light position='1 3 4'/><mesh name='tent' src='tent.obj' scale='2'/></scene>",
+    )
+    .unwrap();
+    fs::create_dir(path.join("elsewhere")).unwrap();
+    convert(path, &["tent.xml", "beside.xml"]);
+    convert(path, &["tent.xml", "elsewhere/tent.xml"]);
+    convert(path, &["tent.xml", "elsewhere/tent.lancer"]);
+    convert(path, &["elsewhere/tent.lancer", "back.xml"]);
+    let read = |name: &str| fs::read_to_string(path.join(name)).unwrap();
+    assert!(read("beside.xml").contains("src=\"tent.obj\""), "{}", read("beside.xml"));
+    assert!(!read("elsewhere/tent.xml").contains("src="), "{}", read("elsewhere/tent.xml"));
+    assert_eq!(read("back.xml"), read("beside.xml"));
+    for scene in ["beside.xml", "elsewhere/tent.xml", "elsewhere/tent.lancer"] {
+        assert_eq!(picture(path, scene, "view.xml"), picture(path, "tent.xml", "view.xml"), "{scene}");
+    }
+}
+
+#[test]
+fn pictures_are_converted_between_their_formats() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("a.ppm"), picture(path, "scene.xml", "view.xml")).unwrap();
+    for name in ["a.png", "a.qoi", "a.tiff", "a.bmp"] {
+        convert(path, &["a.ppm", name]);
+        convert(path, &[name, "back.ppm"]);
+        assert_eq!(fs::read(path.join("back.ppm")).unwrap(), fs::read(path.join("a.ppm")).unwrap(), "{name}");
+    }
+    convert(path, &["a.png", "raw.ppm", "--binary"]);
+    assert!(fs::read(path.join("raw.ppm")).unwrap().starts_with(b"P6\n"));
+}
+
+#[test]
+fn what_cannot_be_converted_is_told() {
+    let folder = folder();
+    for (args, code, text) in [
+        (
+            ["scene.xml", "scene.png"],
+            1,
+            "error: `scene.png` is a picture's name, but the input is no picture\n  help: a scene becomes a picture by \
+             rendering it: lancer SCENE VIEW OUTPUT\n",
+        ),
+        (
+            ["scene.xml", "scene.doc"],
+            2,
+            "error: the name `scene.doc` does not say which format to write\n  help: scenes: .xml or .lancer; views: \
+             .xml; or choose with --to\n",
+        ),
+        (
+            ["scene.xml", "scene"],
+            2,
+            "error: the name `scene` does not say which format to write\n  help: scenes: .xml or .lancer; views: .xml; \
+             or choose with --to\n",
+        ),
+        (
+            ["nothing.xml", "scene.lancer"],
+            3,
+            "error: `nothing.xml` cannot be read: there is no such file\n  help: check the name and the folder\n",
+        ),
+        (
+            ["scene.xml", "no/such/scene.lancer"],
+            3,
+            "error: `no/such/scene.lancer` cannot be written: there is no folder `no/such`\n  help: make the folder \
+             first, or check its name\n",
+        ),
+    ] {
+        let before = common::listing(folder.path());
+        assert_eq!(
+            run(folder.path(), &["convert", args[0], args[1]]),
+            (code, String::new(), text.to_owned()),
+            "{args:?}"
+        );
+        assert_eq!(common::listing(folder.path()), before);
+    }
+}
+
+/// A binary scene that is cut short or changed is refused, wherever a scene is read.
+#[test]
+fn a_damaged_binary_scene_is_refused() {
+    let folder = folder();
+    convert(folder.path(), &["scene.xml", "scene.lancer"]);
+    let whole = fs::read(folder.path().join("scene.lancer")).unwrap();
+    fs::write(folder.path().join("cut.lancer"), &whole[..whole.len() / 2]).unwrap();
+    let (code, told, said) = run(folder.path(), &["show", "cut.lancer"]);
+    assert_eq!((code, told.as_str()), (1, ""));
+    assert!(said.contains("cut.lancer"), "{said}");
+}
