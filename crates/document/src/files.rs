@@ -149,12 +149,20 @@ impl Document {
 
     /// The scene as a native document: its file's own, patched, or a new one. No file is looked at.
     pub fn scene_text(&self) -> Vec<u8> {
-        xml::write_scene(&self.stage().scene).into_bytes()
+        let scene = &self.stage().scene;
+        match self.files.scene.as_ref().and_then(|file| file.document.as_ref()) {
+            Some(document) => xml::patch_scene(document, scene),
+            None => xml::write_scene(scene).into_bytes(),
+        }
     }
 
     /// The views as a native document: their file's own, patched, or a new one.
     pub fn views_text(&self) -> Vec<u8> {
-        xml::write_views(&self.stage().views).into_bytes()
+        let views = &self.stage().views;
+        match self.files.views.as_ref().and_then(|file| file.document.as_ref()) {
+            Some(document) => xml::patch_views(document, views),
+            None => xml::write_views(views).into_bytes(),
+        }
     }
 
     /// What a journal keeps of the document.

@@ -3,7 +3,7 @@
 
 use crate::open::{FileKind, OnDisk};
 use lancer_formats::load::LoadOptions;
-use lancer_formats::save::{self, SaveError, SceneFormat};
+use lancer_formats::save::{self, Origin, SaveError, SceneFormat};
 use lancer_formats::xml;
 use lancer_scene::{Scene, Views};
 use std::path::{Path, PathBuf};
@@ -30,8 +30,8 @@ pub struct SavedScene {
 impl SavingScene {
     /// The bytes of the file. A native document that was read keeps its comments, order and spacing.
     pub fn bytes(&self) -> Vec<u8> {
-        let (path, origin) = (&self.path, self.origin.as_deref());
-        save::scene_bytes(&self.scene, self.format, path, origin, self.options)
+        let origin = self.origin.as_deref().map(|path| Origin { path, document: self.document.as_ref() });
+        save::scene_bytes(&self.scene, self.format, &self.path, origin, self.options)
     }
 
     /// Writes the file: beside its place, then moved there.
@@ -67,7 +67,10 @@ pub struct SavedViews {
 impl SavingViews {
     /// The bytes of the file. A native document that was read keeps its comments, order and spacing.
     pub fn bytes(&self) -> Vec<u8> {
-        xml::write_views(&self.views).into_bytes()
+        match &self.document {
+            Some(document) => xml::patch_views(document, &self.views),
+            None => xml::write_views(&self.views).into_bytes(),
+        }
     }
 
     /// Writes the file: beside its place, then moved there.
