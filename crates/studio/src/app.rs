@@ -6,7 +6,7 @@ use crate::context::{Context, PaneState};
 use crate::dialogs::{Browser, Dialogs};
 use crate::entry::{self, tab_name};
 use crate::export::Exports;
-use crate::files::{After, Files};
+use crate::files::{self, After, Files};
 use crate::layout::{Layout, SIMPLIFICATION};
 use crate::modals::{self, Modal};
 use crate::panels;
@@ -20,6 +20,7 @@ use crate::toasts::Toasts;
 use crate::view::{Answer, LiveView, Picker, Purpose};
 use crate::{Action, Tab, ViewAction};
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportBuilder, ViewportCommand, ViewportId};
+use lancer_document::journal::{self, Journal};
 use lancer_document::wireframe::Wireframes;
 use lancer_document::{Document, Item, Selection, StepName};
 use lancer_render::live::Renderer;
@@ -40,6 +41,8 @@ pub struct Start {
     pub open: Vec<PathBuf>,
     /// What asks for files.
     pub dialogs: Box<dyn Dialogs>,
+    /// The folder in which steps are kept for the case of a crash.
+    pub journals: Option<PathBuf>,
 }
 
 impl std::fmt::Debug for Start {
@@ -81,6 +84,7 @@ pub struct Studio {
     pub(crate) exports: Exports,
     pub(crate) dialogs: Box<dyn Dialogs>,
     pub(crate) browser: Option<Browser>,
+    journal: Option<Journal>,
     /// The window may close though there are changes.
     pub(crate) leaving: bool,
     title: String,
@@ -104,9 +108,11 @@ impl Studio {
         let lang = start.lang.or(settings.language()).unwrap_or_else(locale);
         settings.layout = std::mem::take(&mut settings.layout).fitted(&start.stage);
         let waker = ctx.clone();
+        let left_behind = start.journals.as_deref().map(journal::left_behind).unwrap_or_default();
+        let recovery = left_behind.into_iter().find_map(|journal| Some((journal.read()?, journal)));
         let mut studio = Studio {
             model: Model {
-                files: Files::new(&start.stage),
+                files: Files::default(),
                 document: Document::new(StepName::Opened, start.stage),
                 lang,
                 settings,
@@ -122,16 +128,16 @@ impl Studio {
                 wireframes: Wireframes::default(),
             },
             toasts: Toasts::default(),
-            modal: None,
+            modal: recovery.map(|(entry, journal)| Modal::Recover(Box::new(entry), journal)),
+            // without a journal one works as well, only not as safely
+            journal: start.journals.and_then(|folder| Journal::begin(&folder).ok()),
             exports: Exports::default(),
             dialogs: start.dialogs,
             browser: None,
             leaving: false,
             title: String::new(),
         };
-        for path in start.open {
-            studio.perform(ctx, Action::File(FileAction::Open(Some(path))));
-        }
+        studio.open_all(ctx, start.open);
         studio
     }
 
@@ -169,6 +175,10 @@ impl Studio {
         for file in dropped {
             let path = file.path().to_owned();
             self.perform(ctx, Action::File(FileAction::Open(Some(path))));
+        }
+        let returns = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
+        if returns {
+            self.look_outside(ctx);
         }
         let closes = ctx.input(|input| input.viewport().close_requested());
         if closes && !self.leaving && self.model.modified() {
@@ -297,7 +307,7 @@ impl Model {
             active: self.active.as_deref(),
             pane,
             settings: &self.settings,
-            path: self.files.path(),
+            path: self.path(),
             modified: self.modified(),
             renaming: self.renaming.as_ref(),
             reports: &self.reports,
@@ -305,14 +315,19 @@ impl Model {
         }
     }
 
+    /// The file of the scene.
+    fn path(&self) -> Option<&std::path::Path> {
+        self.document.scene_file().map(|file| file.path.as_path())
+    }
+
     /// Whether there are changes that are not saved.
     pub(crate) fn modified(&self) -> bool {
-        self.files.modified(&self.document)
+        files::is_modified(&self.document)
     }
 
     /// The name of the document for titles and questions.
     pub(crate) fn name(&self) -> String {
-        let file = self.files.path().and_then(std::path::Path::file_name);
+        let file = self.path().and_then(std::path::Path::file_name);
         file.map_or_else(|| words::untitled(self.lang), |name| name.to_string_lossy().into_owned())
     }
 }
@@ -437,8 +452,8 @@ impl eframe::App for Studio {
         self.take_news(&ctx);
         self.arrange();
         let palette = Palette::of(ctx.theme());
-        let mut actions = self.panels(ui, palette);
-        actions.extend(modals::show(self, &ctx, palette));
+        let actions = self.panels(ui, palette);
+        modals::show(self, &ctx, palette);
         self.exports.show(&ctx, palette, self.model.lang);
         self.toasts.show(&ctx, palette, self.model.lang);
         modals::drop_hint(&ctx, palette, self.model.lang);
@@ -449,6 +464,9 @@ impl eframe::App for Studio {
             self.perform(&ctx, action);
         }
         self.arrange();
+        if let Some(journal) = &mut self.journal {
+            journal.follow(&self.model.document);
+        }
         let name = self.model.name();
         let title = match self.model.modified() {
             true => words::window_title_modified(self.model.lang, name),
@@ -464,12 +482,27 @@ impl eframe::App for Studio {
         eframe::set_value(storage, settings::KEY, &self.model.settings);
     }
 
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        // who closes the window has been asked; only a crash leaves something behind
+        if let Some(journal) = &mut self.journal {
+            journal.forget();
+        }
+    }
+
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         visuals.panel_fill.to_normalized_gamma_f32()
     }
 }
 
 impl Studio {
+    /// Keeps what was recovered before what kept it goes.
+    pub(crate) fn keep_recovered(&mut self) {
+        if let Some(journal) = &mut self.journal {
+            journal.follow(&self.model.document);
+            journal.wait();
+        }
+    }
+
     /// Panels and panes as in the beginning.
     pub(crate) fn reset_layout(&mut self) {
         let settings = &mut self.model.settings;

@@ -2,6 +2,7 @@
 
 use crate::chrome::{icon_button, named};
 use crate::entry::{Entry, Groups, Kind, MENUS, Menu};
+use crate::panels::outliner::summary;
 use crate::view::LiveView;
 use crate::{Action, Context, FileAction, ViewAction, WindowAction};
 use egui::{Align, Button, Layout, MenuBar, RichText, Role, Ui, WidgetInfo};
@@ -59,7 +60,7 @@ fn groups(ui: &mut Ui, context: &Context<'_>, groups: Groups, actions: &mut Vec<
 }
 
 /// The menu bar.
-pub fn menu_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
+pub(crate) fn menu_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     let (lang, mut actions) = (context.lang, Vec::new());
     MenuBar::new().ui(ui, |ui| {
         for (name, menu, entries) in MENUS {
@@ -132,7 +133,7 @@ fn views(ui: &mut Ui, context: &Context<'_>, actions: &mut Vec<Action>) {
 }
 
 /// The tool bar: what is done most, as pictures with names.
-pub fn tool_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
+pub(crate) fn tool_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     const GROUPS: [&[Entry]; 4] = [
         &[Entry::New, Entry::Open, Entry::Save],
         &[Entry::Undo, Entry::Redo],
@@ -180,8 +181,8 @@ fn button(ui: &mut Ui, context: &Context<'_>, entry: Entry, actions: &mut Vec<Ac
 }
 
 /// The status bar: what the document holds, and what the pictures cost.
-pub fn status_bar<'a>(ui: &mut Ui, context: &Context<'_>, shown: impl Iterator<Item = &'a LiveView>) {
-    let (lang, scene) = (context.lang, &context.document.stage().scene);
+pub(crate) fn status_bar<'a>(ui: &mut Ui, context: &Context<'_>, shown: impl Iterator<Item = &'a LiveView>) {
+    let lang = context.lang;
     let small = |text: String| RichText::new(text).small().color(context.palette.weak);
     let mut rays = 0;
     let (mut longest, mut working) = (std::time::Duration::ZERO, 0);
@@ -196,7 +197,7 @@ pub fn status_bar<'a>(ui: &mut Ui, context: &Context<'_>, shown: impl Iterator<I
         let file = context.path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
         let state = if context.modified { app::modified(lang) } else { app::saved(lang) };
         let file = file.unwrap_or_else(|| app::untitled(lang));
-        let counts = [number::objects(lang, scene.objects.len()), number::lights(lang, scene.lights.len())].join(" · ");
+        let counts = summary(context.document.stage(), lang);
         ui.label(small(format!("{file} · {counts} · {state}")));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let cost = app::totals(lang, view::compact(lang, rays), view::duration(lang, longest));

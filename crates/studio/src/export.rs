@@ -93,11 +93,6 @@ impl Exports {
         });
     }
 
-    /// Whether nothing is on its way.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
     /// Draws how far they are.
     pub(crate) fn show(&self, ctx: &egui::Context, palette: &Palette, lang: Lang) {
         if self.0.is_empty() {

@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+/// The name under which the system knows the program.
+const NAME: &str = "lancer-studio";
+
 /// The libraries of a window under X11, with the packages of Debian that bring them.
 const LIBRARIES: [(&str, &str); 8] = [
     ("libX11.so.6", "libx11-6"),
@@ -37,7 +40,7 @@ pub fn run(lang: Option<Lang>, open: Vec<PathBuf>) -> Result<(), String> {
     }
     let options = eframe::NativeOptions {
         viewport: ViewportBuilder::default()
-            .with_app_id("lancer-studio")
+            .with_app_id(NAME)
             .with_title("lancer")
             .with_inner_size([1280.0, 800.0])
             .with_min_inner_size([720.0, 480.0])
@@ -50,14 +53,15 @@ pub fn run(lang: Option<Lang>, open: Vec<PathBuf>) -> Result<(), String> {
         let begun = Arc::clone(&begun);
         move || {
             eframe::run_native(
-                "lancer-studio",
+                NAME,
                 options,
                 Box::new(move |creation| {
                     begun.store(true, Ordering::Relaxed);
                     let ctx = &creation.egui_ctx;
                     let dialogs = Box::new(SystemDialogs::new(ctx.clone()));
                     let settings = Settings::restored(creation.storage);
-                    let start = Start { settings, lang, stage: welcome::stage(), open, dialogs };
+                    let journals = eframe::storage_dir(NAME).map(|folder| folder.join("journals"));
+                    let start = Start { settings, lang, stage: welcome::stage(), open, dialogs, journals };
                     Ok(Box::new(Studio::new(ctx, start)))
                 }),
             )

@@ -20,6 +20,7 @@ pub mod layout;
 mod modals;
 pub mod panels;
 mod perform;
+mod reading;
 pub mod report;
 pub mod settings;
 pub mod swatches;
@@ -30,6 +31,7 @@ pub mod told;
 pub mod view;
 pub mod welcome;
 pub mod widgets;
+mod writing;
 
 pub use action::{Action, FileAction, Tab, ViewAction, WindowAction};
 pub use app::{Start, Studio};

@@ -1,27 +1,32 @@
 //! Windows that ask for an answer before anything else goes on, and sheets to read.
 
-use crate::Action;
 use crate::app::Studio;
 use crate::dialogs::Reply;
 use crate::entry::{Entry, MENUS};
 use crate::files::After;
 use crate::theme::Palette;
 use egui::{Align, Button, Grid, Id, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
+use lancer_document::Document;
+use lancer_document::journal::{Entry as Kept, LeftBehind};
+use lancer_formats::load::LoadOptions;
 use lancer_words::{Lang, studio::app as words, studio::menu};
+use std::path::Path;
 
 /// What is asked or shown.
-#[derive(Clone, Debug)]
-pub enum Modal {
+#[derive(Debug)]
+pub(crate) enum Modal {
     /// Changes are not saved.
     Unsaved(After),
     /// The sheet of shortcuts.
     Shortcuts,
     /// What the program is.
     About,
+    /// A program before this one has ended without saving: what it kept.
+    Recover(Box<Kept>, LeftBehind),
 }
 
-/// Shows what is open; gives what the user wants.
-pub(crate) fn show(studio: &mut Studio, ctx: &egui::Context, palette: &Palette) -> Vec<Action> {
+/// Shows what is open and carries out the answer.
+pub(crate) fn show(studio: &mut Studio, ctx: &egui::Context, palette: &Palette) {
     let lang = studio.model.lang;
     if let Some(browser) = &mut studio.browser
         && let Some(reply) = browser.show(ctx, palette, lang)
@@ -34,13 +39,19 @@ pub(crate) fn show(studio: &mut Studio, ctx: &egui::Context, palette: &Palette) 
         }
     }
     studio.show_loading(ctx, palette);
-    let Some(modal) = studio.modal.clone() else { return Vec::new() };
-    match modal {
-        Modal::Unsaved(after) => unsaved(studio, ctx, palette, after),
-        Modal::Shortcuts => sheet(studio, ctx, palette, |ui| shortcuts(ui, palette, lang)),
-        Modal::About => sheet(studio, ctx, palette, |ui| about(ui, lang)),
+    match studio.modal.take() {
+        Some(Modal::Unsaved(after)) => unsaved(studio, ctx, palette, after),
+        Some(Modal::Shortcuts) => {
+            let open = sheet(ctx, palette, lang, |ui| shortcuts(ui, palette, lang));
+            studio.modal = open.then_some(Modal::Shortcuts);
+        }
+        Some(Modal::About) => {
+            let open = sheet(ctx, palette, lang, |ui| about(ui, lang));
+            studio.modal = open.then_some(Modal::About);
+        }
+        Some(Modal::Recover(entry, journal)) => recover(studio, ctx, palette, entry, journal),
+        None => {}
     }
-    Vec::new()
 }
 
 /// A button that is taken by Enter.
@@ -71,16 +82,10 @@ fn unsaved(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, after: A
         });
     });
     match answer.or_else(|| modal.should_close().then_some(Answer::Cancel)) {
-        Some(Answer::Save) => {
-            studio.modal = None;
-            studio.save_then(ctx, after);
-        }
-        Some(Answer::Discard) => {
-            studio.modal = None;
-            studio.go_on(ctx, after);
-        }
-        Some(Answer::Cancel) => studio.modal = None,
-        None => {}
+        Some(Answer::Save) => studio.save_then(ctx, after),
+        Some(Answer::Discard) => studio.go_on(ctx, after),
+        Some(Answer::Cancel) => {}
+        None => studio.modal = Some(Modal::Unsaved(after)),
     }
 }
 
@@ -90,9 +95,49 @@ enum Answer {
     Cancel,
 }
 
-/// A sheet to read, with a button that closes it.
-fn sheet(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, content: impl FnOnce(&mut Ui)) {
+/// Offers what a program kept that ended without saving.
+fn recover(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, entry: Box<Kept>, journal: LeftBehind) {
     let lang = studio.model.lang;
+    let file = entry.scene.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    let name = file.unwrap_or_else(|| words::untitled(lang));
+    let age = journal.written.elapsed().unwrap_or_default();
+    let mut answer = None;
+    let modal = egui::Modal::new(Id::unique("recover")).show(ctx, |ui| {
+        ui.set_width(440.0);
+        ui.heading(words::recover_title(lang));
+        ui.add_space(6.0);
+        ui.label(words::recover_text(lang, name, words::ago(lang, age)));
+        ui.add_space(14.0);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let enter = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+            if ui.add(default_button(words::recover(lang), palette)).clicked() || enter {
+                answer = Some(Answer::Save);
+            }
+            if ui.add(Button::new(words::recover_later(lang)).min_size(egui::vec2(80.0, 28.0))).clicked() {
+                answer = Some(Answer::Cancel);
+            }
+            if ui.add(Button::new(words::recover_discard(lang)).min_size(egui::vec2(80.0, 28.0))).clicked() {
+                answer = Some(Answer::Discard);
+            }
+        });
+    });
+    match answer.or_else(|| modal.should_close().then_some(Answer::Cancel)) {
+        Some(Answer::Save) => {
+            let options = LoadOptions::default();
+            let (scene, views) = entry.files(&options);
+            studio.begin_document(Document::recover(*entry, scene, views, options));
+            studio.keep_recovered();
+            journal.discard();
+        }
+        Some(Answer::Discard) => journal.discard(),
+        // it is offered again on the next start
+        Some(Answer::Cancel) => {}
+        None => studio.modal = Some(Modal::Recover(entry, journal)),
+    }
+}
+
+/// A sheet to read, with a button that closes it; whether it stays open.
+fn sheet(ctx: &egui::Context, palette: &Palette, lang: Lang, content: impl FnOnce(&mut Ui)) -> bool {
     let mut closed = false;
     let modal = egui::Modal::new(Id::unique("sheet")).show(ctx, |ui| {
         content(ui);
@@ -102,9 +147,7 @@ fn sheet(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, content: i
             closed = ui.add(default_button(words::close(lang), palette)).clicked() || enter;
         });
     });
-    if closed || modal.should_close() {
-        studio.modal = None;
-    }
+    !closed && !modal.should_close()
 }
 
 /// Every key and what the mouse does.

@@ -1,7 +1,6 @@
 //! The one place where what the user wants is carried out.
 
 use crate::app::Studio;
-use crate::layout::Layout;
 use crate::modals::Modal;
 use crate::settings::Settings;
 use crate::toasts::Toast;
@@ -88,7 +87,7 @@ impl Studio {
     }
 
     /// Adds something in front of the active view. A new view is shown.
-    fn add(&mut self, item: NewItem) -> Result<(), EditError> {
+    pub(crate) fn add(&mut self, item: NewItem) -> Result<(), EditError> {
         let stage = self.model.document.stage();
         let active = self.model.active.as_ref().and_then(|active| self.view_named(active));
         let at = active.map(|view| Standpoint::of(&view, &stage.scene, self.world(&view.name).as_deref()));
@@ -224,14 +223,5 @@ impl Studio {
     pub(crate) fn leave(&mut self, ctx: &egui::Context) {
         self.leaving = true;
         ctx.send_viewport_cmd(ViewportCommand::Close);
-    }
-
-    /// Shows another stage: panes of views that it does not have are closed.
-    pub(crate) fn restart(&mut self, name: StepName, stage: lancer_scene::Stage) {
-        let layout: Layout = std::mem::take(&mut self.model.settings.layout);
-        self.model.settings.layout = layout.fitted(&stage);
-        self.model.document = lancer_document::Document::new(name, stage);
-        self.model.renaming = None;
-        self.model.active = None;
     }
 }

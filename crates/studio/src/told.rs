@@ -31,3 +31,8 @@ pub fn render(error: &RenderError, lang: Lang) -> String {
     };
     words::cannot_export(lang, cause)
 }
+
+/// A sentence of a lower crate with its full stop.
+pub fn sentence(message: &str) -> String {
+    format!("{message}.")
+}

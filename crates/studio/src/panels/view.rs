@@ -32,7 +32,7 @@ pub fn show(
     live.offer([area.width(), area.height()].map(|length| (length * pixels).floor().max(0.0) as u32));
     live.follow(context.document.stage(), &view.name);
 
-    let response = ui.interact(area, ui.id().with(("picture", &*view.name)), Sense::click_and_drag());
+    let response = ui.interact(area, ui.scope_id().with(("picture", &*view.name)), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words::picture_of(context.lang, &view.name)));
     let mapping = Mapping::new(placed(area, live.size(), pixels), view);
     paint(ui, context, live, &mapping, area);

@@ -101,7 +101,7 @@ impl Travel {
 }
 
 /// Everything that a gesture is made from.
-pub struct Scope<'a> {
+pub(crate) struct Scope<'a> {
     /// What may be read.
     pub context: &'a Context<'a>,
     /// The view as the document has it.
@@ -161,7 +161,7 @@ struct NotKnown;
 
 /// Goes on with the gesture of a view, or begins one; gives what it asks for. `marking` is set where the next drag
 /// marks a rectangle.
-pub fn follow(
+pub(crate) fn follow(
     ui: &Ui,
     response: &Response,
     scope: &Scope<'_>,

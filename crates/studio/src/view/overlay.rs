@@ -13,7 +13,7 @@ use lancer_words::{Lang, studio::view as words};
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 
 /// Draws the lines over a picture.
-pub fn draw(
+pub(crate) fn draw(
     painter: &Painter,
     scope: &Scope<'_>,
     gesture: Option<&Gesture>,
@@ -110,14 +110,14 @@ fn halo(painter: &Painter, points: Vec<Pos2>, color: Color32, width: f32) {
 }
 
 /// A dashed rectangle.
-pub fn rectangle(painter: &Painter, rect: Rect, palette: &Palette) {
+pub(crate) fn rectangle(painter: &Painter, rect: Rect, palette: &Palette) {
     let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom(), rect.left_top()];
     painter.add(Shape::line(corners.to_vec(), Stroke::new(3.0, Color32::from_black_alpha(110))));
     painter.extend(Shape::dashed_line(&corners, Stroke::new(1.5, palette.outline(true)), 6.0, 4.0));
 }
 
 /// A hint in the middle of the upper edge: what a gesture does just now.
-pub fn hint(painter: &Painter, rect: Rect, gesture: Option<&Gesture>, marking: bool, lang: Lang) {
+pub(crate) fn hint(painter: &Painter, rect: Rect, gesture: Option<&Gesture>, marking: bool, lang: Lang) {
     let text = match gesture {
         Some(Gesture::Move { constraint: Constraint::Along(axis), .. }) => {
             words::along(lang, LETTERS[axis_number(*axis)])

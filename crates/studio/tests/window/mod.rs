@@ -91,8 +91,9 @@ impl Window {
         let dialogs = Scripted::default();
         let scripted = dialogs.clone();
         let mut harness = Harness::builder().with_size(Vec2::new(1280.0, 800.0)).build_eframe(move |creation| {
-            let start =
-                Start { settings: Settings::default(), lang: Some(lang), stage, open, dialogs: Box::new(scripted) };
+            let settings = Settings::default();
+            let dialogs = Box::new(scripted);
+            let start = Start { settings, lang: Some(lang), stage, open, dialogs, journals: None };
             Studio::new(&creation.egui_ctx, start)
         });
         harness.step();

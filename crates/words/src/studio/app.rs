@@ -43,6 +43,25 @@ phrases! {
     /// Goes on without saving.
     unsaved_discard() { "Don't save", "Ne pas enregistrer" }
 
+    /// The question after a crash.
+    recover_title() { "Recover unsaved work?", "Récupérer le travail non enregistré ?" }
+    /// What was left.
+    recover_text(document, ago) {
+        "The program ended last time without saving. {document} was kept as it was {ago}.",
+        "Le programme s'est terminé la dernière fois sans enregistrer. {document} a été conservé tel qu'il était {ago}.",
+    }
+    /// Opens it.
+    recover() { "Recover", "Récupérer" }
+    /// Asks again on the next start.
+    recover_later() { "Later", "Plus tard" }
+    /// Removes it.
+    recover_discard() { "Discard", "Abandonner" }
+    /// Some minutes ago.
+    minutes_ago(count) { "{count} min ago", "il y a {count} min" }
+    /// Some hours ago.
+    hours_ago(count) { "{count} h ago", "il y a {count} h" }
+    /// Some days ago.
+    days_ago(count) { "{count} d ago", "il y a {count} j" }
     /// A file is being read.
     loading(name) { "Reading {name}…", "Lecture de {name}…" }
     /// A file was read.
@@ -69,6 +88,11 @@ phrases! {
     }
     /// There are no threads.
     no_threads(reason) { "no threads can be started ({reason})", "aucun fil d'exécution ne peut démarrer ({reason})" }
+    /// A file was read again.
+    reloaded(name) {
+        "{name} was changed by another program and is read again. Undo brings the earlier state back.",
+        "{name} a été modifié par un autre programme et relu. Annuler rétablit l'état précédent.",
+    }
     /// Views were loaded.
     views_loaded(name, views) { "{name}: {views}.", "{name} : {views}." }
     /// Something was put on the clipboard.
@@ -163,5 +187,15 @@ phrases! {
     no_window(cause) {
         "lancer-studio cannot open a window with OpenGL: install the graphics driver or Mesa's software OpenGL, on Debian or Ubuntu with «apt install libgl1» ({cause}).",
         "lancer-studio ne peut pas ouvrir de fenêtre OpenGL : installez le pilote graphique ou l'OpenGL logiciel de Mesa, sous Debian ou Ubuntu avec «apt install libgl1» ({cause}).",
+    }
+}
+
+/// How long ago something was.
+pub fn ago(lang: crate::Lang, age: std::time::Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    match minutes {
+        0..60 => minutes_ago(lang, minutes),
+        60..2880 => hours_ago(lang, minutes / 60),
+        _ => days_ago(lang, minutes / 1440),
     }
 }
