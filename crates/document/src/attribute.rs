@@ -2,7 +2,10 @@
 //! change a copy of it.
 
 use crate::{Item, StepName};
-use lancer_scene::{Edit, Environment, List, ListEdit, Material, Name, Object, PointLight, Stage, View};
+use lancer_scene::{
+    Edit, Environment, List, ListEdit, Material, MaterialRef, MeshGeometry, Name, Object, PointLight, Shape, Stage,
+    View,
+};
 use std::sync::Arc;
 
 /// The changed copy of the first item of a list that is looked for.
@@ -48,4 +51,40 @@ pub fn edit_world(stage: &Stage, change: impl FnOnce(&mut Environment)) -> Edit 
 /// The name of the step that sets an attribute, as the documents spell it.
 pub fn set(item: &Item, attribute: &'static str) -> StepName {
     StepName::Set { item: item.name().cloned().unwrap_or_else(|| Name::from("")), attribute }
+}
+
+/// Gives an object a material. A mesh from a file that has one shows it everywhere, as its document will say: the
+/// file's own materials count only where the object has none.
+pub fn set_material(object: &mut Object, material: MaterialRef) {
+    if material != MaterialRef::Default
+        && let Shape::Mesh(mesh) = &mut object.shape
+        && mesh.source.is_some()
+        && !mesh.geometry.parts.is_empty()
+    {
+        mesh.geometry = Arc::new(MeshGeometry { parts: Vec::new(), ..MeshGeometry::clone(&mesh.geometry) });
+    }
+    object.material = material;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lancer_scene::{Mesh, Part, Placement};
+
+    #[test]
+    fn a_material_covers_those_of_a_meshs_file_only() {
+        let part = Part { material: MaterialRef::Named("red".into()), first: 0, count: 1 };
+        let geometry = Arc::new(MeshGeometry { parts: vec![part], ..MeshGeometry::default() });
+        let painted = |source: Option<&str>, material| {
+            let geometry = Arc::clone(&geometry);
+            let mesh = Mesh { geometry, source: source.map(Arc::from), placement: Placement::default(), smooth: false };
+            let mut object = Object::new("it", Shape::Mesh(mesh));
+            set_material(&mut object, material);
+            object.material_refs().cloned().collect::<Vec<_>>()
+        };
+        let (red, blue) = (MaterialRef::Named("red".into()), MaterialRef::Named("blue".into()));
+        assert_eq!(painted(Some("it.obj"), blue.clone()), [blue.clone()]);
+        assert_eq!(painted(None, blue.clone()), [blue, red.clone()]);
+        assert_eq!(painted(Some("it.obj"), MaterialRef::Default), [MaterialRef::Default, red]);
+    }
 }

@@ -1,5 +1,6 @@
 //! Adding things: each kind arrives in front of the active view, at a size that suits it, under a name of its own.
 
+use crate::navigate::said_vertical;
 use crate::sight::Sight;
 use crate::{Command, Item, StepName, decimal, focus, naming};
 use lancer_scene::{
@@ -51,6 +52,8 @@ pub struct Standpoint {
     pub point: DVec3,
     /// Unit vector: the direction in which they rise from it.
     pub normal: DVec3,
+    /// What is up: y or z.
+    pub up: DVec3,
     /// Unit vector to the right of the active view, level.
     pub right: DVec3,
     /// Their width and height.
@@ -59,7 +62,7 @@ pub struct Standpoint {
 
 impl Default for Standpoint {
     fn default() -> Standpoint {
-        Standpoint { point: DVec3::ZERO, normal: DVec3::Y, right: DVec3::X, size: 1.0 }
+        Standpoint { point: DVec3::ZERO, normal: DVec3::Y, up: DVec3::Y, right: DVec3::X, size: 1.0 }
     }
 }
 
@@ -81,10 +84,12 @@ impl Standpoint {
         // far out, what is smaller than this has no shape of its own in f64
         let least = (point.abs().max_element() * 1e-6).max(limits::LEAST * 1e3);
         let size = decimal::round_length((PART_OF_HEIGHT * width.min(height)).clamp(least, FARTHEST / 10.0));
-        let right = DVec3::new(sight.right.x, 0.0, sight.right.z).normalize_or(DVec3::X);
+        let up = said_vertical(view).unwrap_or(DVec3::Y);
+        let right = (sight.right - up * sight.right.dot(up)).normalize_or(DVec3::X);
         Standpoint {
             point: decimal::rounded_point(point, decimal::places(size) + 2),
-            normal: focus.hit.map_or(DVec3::Y, |hit| hit.normal),
+            normal: focus.hit.map_or(up, |hit| hit.normal),
+            up,
             right: decimal::rounded_point(right, 3).normalize_or(DVec3::X),
             size,
         }
@@ -93,6 +98,11 @@ impl Standpoint {
     /// The middle of a new thing that reaches `half` above and below it.
     fn above(&self, half: f64) -> DVec3 {
         self.rounded(self.point + self.normal * half)
+    }
+
+    /// The edges of a level square, so that their cross product points upwards.
+    fn level(&self) -> [DVec3; 2] {
+        if self.up == DVec3::Z { [DVec3::X, DVec3::Y] } else { [DVec3::Z, DVec3::X] }
     }
 
     /// A point with as many decimals as are worth reading at this size.
@@ -118,16 +128,17 @@ pub fn added(stage: &Stage, item: NewItem, at: &Standpoint) -> Command {
         NewItem::Sphere => object("sphere", Shape::Sphere { center: at.above(half), radius: half }),
         NewItem::Plane => {
             let p0 = at.above(half);
-            object("plane", Shape::Plane { p0, p1: p0 + DVec3::Z * size, p2: p0 + DVec3::X * size })
+            let [u, v] = at.level();
+            object("plane", Shape::Plane { p0, p1: p0 + u * size, p2: p0 + v * size })
         }
         NewItem::Facet => {
             let (foot, side) = (at.point, at.right * half);
-            let [p0, p1, p2] = [foot - side, foot + side, foot + DVec3::Y * size].map(|point| at.rounded(point));
+            let [p0, p1, p2] = [foot - side, foot + side, foot + at.up * size].map(|point| at.rounded(point));
             object("facet", Shape::Facet { p0, p1, p2 })
         }
         NewItem::Cube => object("cube", Shape::Cube { center: at.above(sunk), edge: size, rotation: DVec3::ZERO }),
         NewItem::Parallelepiped => {
-            let edges = [DVec3::X * size, DVec3::Y * half, DVec3::Z * size];
+            let edges = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * if axis == at.up { half } else { size });
             let middle = at.above(half / 2.0 - size * SUNK);
             let origin = at.rounded(middle - (edges[0] + edges[1] + edges[2]) * 0.5);
             object("box", Shape::Parallelepiped { origin, edges })
@@ -145,7 +156,7 @@ pub fn added(stage: &Stage, item: NewItem, at: &Standpoint) -> Command {
         NewItem::Light => {
             let name = naming::numbered("light", &taken);
             // beside and above what it shall light, within the picture
-            let position = at.rounded(at.point + DVec3::Y * (1.75 * size) - at.right * size);
+            let position = at.rounded(at.point + at.up * (1.75 * size) - at.right * size);
             let index = scene.lights.len();
             let item = Arc::new(PointLight::new(name.clone(), position));
             let edit = Edit::Lights(ListEdit::Insert { index, item });
@@ -186,8 +197,9 @@ fn placed(geometry: &MeshGeometry, at: &Standpoint) -> Placement {
     let extent = (high - low).max_element();
     let fits = extent <= 0.0 || (0.25..=2.0).contains(&(extent / at.size));
     let factor = if fits { 1.0 } else { decimal::round_length(at.size / extent).clamp(limits::LEAST, 1e9) };
-    let foot = DVec3::new((low.x + high.x) * 0.5, low.y, (low.z + high.z) * 0.5);
-    let position = at.rounded(at.point - foot * factor - DVec3::Y * (at.size * SUNK));
+    let middle = (low + high) * 0.5;
+    let foot = middle + at.up * (low - middle).dot(at.up);
+    let position = at.rounded(at.point - foot * factor - at.up * (at.size * SUNK));
     let far = DVec3::splat(limits::COORDINATE);
     Placement { scale: DVec3::splat(factor), rotation: DVec3::ZERO, position: position.clamp(-far, far) }
 }

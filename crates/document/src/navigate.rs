@@ -32,22 +32,28 @@ impl Side {
 
 /// The direction that is up in a scene: z if more of its views that say what is up say so, else y.
 pub fn vertical(stage: &Stage) -> DVec3 {
-    let (mut y, mut z) = (0, 0);
-    for view in &stage.views {
-        let (up, target) = match &view.screen {
-            ScreenSpec::LookAt { look_at, up, .. } => (*up, *look_at),
-            ScreenSpec::Centered { center, up, .. } => (*up, *center),
-            ScreenSpec::Frame(_) | ScreenSpec::Corners(_) => continue,
-        };
-        let sight = (target - view.eye).normalize_or(DVec3::NEG_Z);
-        // looking straight down, any direction is up in the picture
-        if sight.y.abs() < 0.99 && up.y.abs() > up.x.abs().max(up.z.abs()) {
-            y += 1;
-        } else if sight.z.abs() < 0.99 && sight.y.abs() < 0.99 && up.z.abs() > up.x.abs().max(up.y.abs()) {
-            z += 1;
-        }
+    let said: Vec<DVec3> = stage.views.iter().filter_map(|view| said_vertical(view)).collect();
+    let z = said.iter().filter(|up| **up == DVec3::Z).count();
+    if 2 * z > said.len() { DVec3::Z } else { DVec3::Y }
+}
+
+/// The direction, y or z, that a view says is up; `None` if it says nothing of the kind. Looking straight along the
+/// other of the two, any direction may be up in the picture.
+pub(crate) fn said_vertical(view: &View) -> Option<DVec3> {
+    let (up, target) = match &view.screen {
+        ScreenSpec::LookAt { look_at, up, .. } => (*up, *look_at),
+        ScreenSpec::Centered { center, up, .. } => (*up, *center),
+        ScreenSpec::Frame(_) | ScreenSpec::Corners(_) => return None,
+    };
+    let sight = (target - view.eye).try_normalize()?;
+    let largest = up.abs().max_element();
+    if sight.y.abs() > 0.99 || largest == up.x.abs() {
+        None
+    } else if largest == up.y.abs() {
+        Some(DVec3::Y)
+    } else {
+        Some(DVec3::Z)
     }
-    if z > y { DVec3::Z } else { DVec3::Y }
 }
 
 /// A view turned around `pivot`: what is in front of the pivot moves by `right` degrees to the right and by `down`

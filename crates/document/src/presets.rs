@@ -4,12 +4,8 @@
 //! Fresnel's share at normal incidence, `((n-1)/(n+1))²`. The model's coefficients do not change with the angle, so
 //! both are what is seen from straight above.
 
-use lancer_scene::{
-    DVec3, Environment, Highlight, MaterialRef, Mesh, MeshGeometry, Object, Placement, PointLight, Reflectance, Rgb,
-    Scene, ScreenSpec, Shape, Steps, Surface, View,
-};
+use lancer_scene::{Highlight, Reflectance, Rgb, Surface};
 use lancer_words::{Lang, preset as words};
-use std::sync::Arc;
 
 /// A material to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -268,64 +264,4 @@ impl Preset {
             Preset::Luminous => Surface { ka: Rgb::WHITE, kd: Rgb::WHITE, ..Surface::default() },
         }
     }
-}
-
-/// What a swatch of a surface shows: a ball of it on a chequered floor before a chequered wall, something for a mirror
-/// to show and for glass to bend; and the view of it, `side` pixels wide and high.
-pub fn swatch(surface: &Surface, side: u32) -> (Scene, View) {
-    let ball = Object {
-        material: MaterialRef::Inline(Arc::new(surface.clone())),
-        ..Object::new("ball", Shape::Sphere { center: DVec3::new(0.0, 1.0, 0.0), radius: 1.0 })
-    };
-    let tiles = |name: &str, color: [f64; 3], odd: i32| Object {
-        material: MaterialRef::Inline(Arc::new(opaque(color, 0.0, 30.0, 0.0))),
-        ..Object::new(name, Shape::Mesh(tiles(odd)))
-    };
-    let scene = Scene {
-        world: Environment {
-            ambient: Rgb::splat(0.4),
-            background: Rgb::new(0.72, 0.79, 0.88),
-            ..Environment::default()
-        },
-        lights: [
-            PointLight { color: Rgb::splat(0.85), ..PointLight::new("lamp", DVec3::new(-3.0, 5.0, 4.0)) },
-            PointLight { color: Rgb::splat(0.25), ..PointLight::new("fill", DVec3::new(4.0, 3.0, 3.0)) },
-        ]
-        .into_iter()
-        .collect(),
-        objects: [ball, tiles("dark", [0.3, 0.33, 0.38], 1), tiles("light", [0.85, 0.83, 0.8], 0)]
-            .into_iter()
-            .collect(),
-        ..Scene::default()
-    };
-    let view = View {
-        name: "swatch".into(),
-        width: side.max(1),
-        height: side.max(1),
-        eye: DVec3::new(0.0, 1.6, 5.0),
-        screen: ScreenSpec::LookAt { look_at: DVec3::new(0.0, 0.95, 0.0), up: DVec3::Y, fov: 27.0 },
-        samples: 2,
-        depth: None,
-        steps: Steps::default(),
-    };
-    (scene, view)
-}
-
-/// Every other square of a floor, z from -3 to 5, and of the wall at its end.
-fn tiles(odd: i32) -> Mesh {
-    let mut geometry = MeshGeometry::default();
-    let mut square = |corner: DVec3, along: DVec3| {
-        let first = geometry.positions.len() as u32;
-        geometry.positions.extend([corner, corner + along, corner + along + DVec3::X, corner + DVec3::X]);
-        geometry.facets.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-    };
-    for column in -4..4_i32 {
-        for row in (-3..5_i32).filter(|row| (row + column).rem_euclid(2) == odd) {
-            square(DVec3::new(f64::from(column), 0.0, f64::from(row)), DVec3::Z);
-        }
-        for row in (0..4_i32).filter(|row| (row + column).rem_euclid(2) == odd) {
-            square(DVec3::new(f64::from(column), f64::from(row), -3.0), DVec3::Y);
-        }
-    }
-    Mesh { geometry: Arc::new(geometry), source: None, placement: Placement::default(), smooth: false }
 }

@@ -58,7 +58,7 @@ fn pyramid() -> Arc<MeshGeometry> {
 fn new_things_stand_on_the_floor_before_the_view() {
     let stage = stage();
     let at = at(&stage);
-    assert_eq!(at, Standpoint { point: DVec3::ZERO, normal: DVec3::Y, right: DVec3::X, size: 0.5 });
+    assert_eq!(at, Standpoint { point: DVec3::ZERO, normal: DVec3::Y, up: DVec3::Y, right: DVec3::X, size: 0.5 });
     let mut document = Document::new(StepName::New, stage);
     let shape = |document: &Document, name: &str| {
         let object = document.stage().scene.objects.iter().find(|object| &*object.name == name);
@@ -71,6 +71,26 @@ fn new_things_stand_on_the_floor_before_the_view() {
     add(&mut document, NewItem::Cube);
     let cube = Shape::Cube { center: DVec3::new(0.0, 0.249, 0.0), edge: 0.5, rotation: DVec3::ZERO };
     assert_eq!(shape(&document, "cube 1"), cube);
+}
+
+/// Where z is up, things stand upright along z.
+#[test]
+fn new_things_stand_upright_where_z_is_up() {
+    let screen = ScreenSpec::LookAt { look_at: DVec3::ZERO, up: DVec3::Z, fov: 45.0 };
+    let z_up = View { eye: DVec3::new(1.0, -6.0, 2.0), screen, ..view() };
+    let mut document = Document::new(StepName::New, Stage::default());
+    let at = Standpoint::of(&z_up, &Scene::default(), None);
+    assert_eq!((at.up, at.normal), (DVec3::Z, DVec3::Z));
+    for item in [NewItem::Plane, NewItem::Parallelepiped, NewItem::Facet] {
+        document.add(item, &at).unwrap();
+    }
+    let scene = &document.stage().scene;
+    let Shape::Plane { p0, p1, p2 } = scene.objects[0].shape else { panic!("a plane") };
+    assert_eq!((p1 - p0).cross(p2 - p0).normalize(), DVec3::Z);
+    let (low, high) = scene.objects[1].shape.bounds().unwrap();
+    assert!(((high - low) - DVec3::new(0.5, 0.5, 0.25)).length() < 1e-12, "{low} {high}");
+    let (low, high) = scene.objects[2].shape.bounds().unwrap();
+    assert!((high.z - low.z - 0.5).abs() < 1e-12);
 }
 
 #[test]

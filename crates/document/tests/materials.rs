@@ -1,7 +1,7 @@
 //! The material presets: legal, told apart, and true to the sources that they name.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use lancer_document::presets::{Family, Preset, swatch};
+use lancer_document::presets::{Family, Preset};
 use lancer_scene::{Rgb, Surface};
 use lancer_words::Lang;
 use std::collections::HashSet;
@@ -70,15 +70,4 @@ fn clear_things_keep_the_energy() {
         }
         assert!(preset.source(Lang::English).is_some_and(|source| source.contains(": ")), "{preset:?}");
     }
-}
-
-#[test]
-fn a_swatch_can_be_rendered() {
-    for preset in Preset::ALL {
-        let (scene, view) = swatch(&preset.surface(), 64);
-        assert_eq!(scene.check(), Ok(()));
-        assert_eq!(view.check(), Ok(()));
-        assert_eq!((view.width, view.height), (64, 64));
-    }
-    assert_eq!(swatch(&Surface::default(), 0).1.check(), Ok(()));
 }
