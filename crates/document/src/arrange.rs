@@ -1,5 +1,6 @@
 //! What the outliner does with things that exist: copy, delete, reorder, rename, hide.
 
+use crate::selection::Places;
 use crate::{Command, Item, StepName, decimal, gizmo, naming};
 use lancer_scene::{
     DVec3, Edit, Invalid, List, ListEdit, Material, MaterialRef, MeshGeometry, Name, NameKind, Object, PointLight,
@@ -10,9 +11,9 @@ use std::sync::Arc;
 
 /// The items that exist and are no world, each once, with their places.
 fn placed<'a>(stage: &Stage, items: impl IntoIterator<Item = &'a Item>) -> Vec<(Item, usize)> {
-    let distinct: BTreeSet<&Item> = items.into_iter().collect();
+    let (places, distinct) = (Places::of(stage), items.into_iter().collect::<BTreeSet<&Item>>());
     let mut placed: Vec<(Item, usize)> =
-        distinct.into_iter().filter_map(|item| item.place(stage).map(|place| (item.clone(), place))).collect();
+        distinct.into_iter().filter_map(|item| places.place(item).map(|place| (item.clone(), place))).collect();
     placed.sort_by_key(|(_, place)| *place);
     placed
 }

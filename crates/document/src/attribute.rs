@@ -83,8 +83,8 @@ mod tests {
             object.material_refs().cloned().collect::<Vec<_>>()
         };
         let (red, blue) = (MaterialRef::Named("red".into()), MaterialRef::Named("blue".into()));
-        assert_eq!(painted(Some("it.obj"), blue.clone()), [blue.clone()]);
-        assert_eq!(painted(None, blue.clone()), [blue, red.clone()]);
+        assert_eq!(painted(None, blue.clone()), [blue.clone(), red.clone()]);
         assert_eq!(painted(Some("it.obj"), MaterialRef::Default), [MaterialRef::Default, red]);
+        assert_eq!(painted(Some("it.obj"), blue.clone()), [blue]);
     }
 }

@@ -4,6 +4,7 @@
 //! parallel to the screen. Held to an axis, it moves to the point of that axis nearest to the pointer.
 
 use crate::decimal;
+use crate::selection::Places;
 use crate::{Item, StepName};
 use lancer_scene::{DVec3, Edit, ListEdit, Object, PointLight, Shape, Stage};
 use lancer_trace::Camera;
@@ -137,9 +138,10 @@ pub fn translated_light(light: &PointLight, by: DVec3) -> PointLight {
 
 /// The edit that moves objects and lamps, and the name of its step. Other things do not move; `None` if none does.
 pub fn moved<'a>(stage: &Stage, items: impl IntoIterator<Item = &'a Item>, by: DVec3) -> Option<(StepName, Edit)> {
-    let (scene, mut edits, mut names) = (&stage.scene, Vec::new(), Vec::new());
+    let (scene, places) = (&stage.scene, Places::of(stage));
+    let (mut edits, mut names) = (Vec::new(), Vec::new());
     for item in items {
-        let Some(index) = item.place(stage) else { continue };
+        let Some(index) = places.place(item) else { continue };
         let edit = match item {
             Item::Object(_) => scene
                 .objects

@@ -1,6 +1,7 @@
 //! What is selected: things by their names, which stay the same while lists change around them.
 
 use lancer_scene::{Name, Stage};
+use std::collections::HashMap;
 
 /// Something that can be selected.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -94,19 +95,62 @@ impl Selection {
 
     /// Forgets what does not exist.
     pub(crate) fn prune(&mut self, stage: &Stage) {
-        self.0.retain(|item| item.exists(stage));
+        let places = Places::of(stage);
+        self.0.retain(|item| places.have(item));
     }
 
     /// Follows a change of the stage: what has a new name in the same place stays selected, what is gone does not.
     pub(crate) fn follow(&mut self, old: &Stage, new: &Stage) {
+        if self.0.is_empty() {
+            return;
+        }
+        let places = Places::of(new);
         for item in &mut self.0 {
-            if !item.exists(new)
+            if !places.have(item)
                 && let Some(renamed) = renamed(item, old, new)
             {
                 *item = renamed;
             }
         }
-        self.prune(new);
+        self.0.retain(|item| places.have(item));
+    }
+}
+
+/// The names of a stage and their places, to look up many things.
+pub(crate) struct Places<'a> {
+    objects: HashMap<&'a str, usize>,
+    lights: HashMap<&'a str, usize>,
+    materials: HashMap<&'a str, usize>,
+    views: HashMap<&'a str, usize>,
+}
+
+impl<'a> Places<'a> {
+    pub(crate) fn of(stage: &'a Stage) -> Places<'a> {
+        fn places<'a>(names: impl Iterator<Item = &'a Name>) -> HashMap<&'a str, usize> {
+            names.enumerate().map(|(place, name)| (&**name, place)).collect()
+        }
+        let scene = &stage.scene;
+        Places {
+            objects: places(scene.objects.iter().map(|object| &object.name)),
+            lights: places(scene.lights.iter().map(|light| &light.name)),
+            materials: places(scene.materials.iter().map(|material| &material.name)),
+            views: places(stage.views.iter().map(|view| &view.name)),
+        }
+    }
+
+    /// What [`Item::place`] gives.
+    pub(crate) fn place(&self, item: &Item) -> Option<usize> {
+        match item {
+            Item::World => None,
+            Item::Light(name) => self.lights.get(&**name).copied(),
+            Item::Object(name) => self.objects.get(&**name).copied(),
+            Item::Material(name) => self.materials.get(&**name).copied(),
+            Item::View(name) => self.views.get(&**name).copied(),
+        }
+    }
+
+    fn have(&self, item: &Item) -> bool {
+        *item == Item::World || self.place(item).is_some()
     }
 }
 
