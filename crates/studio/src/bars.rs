@@ -6,6 +6,7 @@ use crate::panels::outliner::summary;
 use crate::view::LiveView;
 use crate::{Action, Context, FileAction, ViewAction, WindowAction};
 use egui::{Align, Button, Layout, MenuBar, RichText, Role, Ui, WidgetInfo};
+use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons as icon;
 use lancer_words::{Lang, number, studio::app, studio::menu as words, studio::view};
 use std::path::Path;
@@ -18,33 +19,32 @@ fn row(ui: &mut Ui, context: &Context<'_>, entry: Entry, actions: &mut Vec<Actio
         Entry::Add(_) => entry.name(context.lang),
         other => other.title(context),
     };
-    let response = match entry.checked(context) {
-        Some(mut on) => ui.add_enabled_ui(wanted.is_some(), |ui| {
-            ui.horizontal(|ui| {
-                let response = ui.checkbox(&mut on, text.as_str());
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    ui.label(RichText::new(keys.unwrap_or_default()).color(context.palette.weak));
-                });
-                response
-            })
-            .inner
-        }),
-        None => ui.scope(|ui| {
-            let mut button = match entry.icon() {
-                Some(icon) => Button::new((icon.rich_text().size(16.0), text.as_str())),
-                None => Button::new((RichText::new(" ").size(16.0), text.as_str())),
-            };
-            if let Some(keys) = keys {
-                button = button.shortcut_text(RichText::new(keys).color(context.palette.weak));
-            }
-            let response = ui.add_enabled(wanted.is_some(), button);
-            response.widget_info(|| WidgetInfo::labeled(Role::MenuItem, wanted.is_some(), &text));
-            response
-        }),
+    let checked = entry.checked(context);
+    let sign = match checked {
+        Some(true) => Some(icon::ICON_CHECK),
+        Some(false) => None,
+        None => entry.icon(),
     };
-    if response.inner.clicked() {
+    let mut button = Button::new((sign_text(sign), text.as_str()));
+    if let Some(keys) = keys {
+        button = button.shortcut_text(RichText::new(keys).color(context.palette.weak));
+    }
+    let response = ui.add_enabled(wanted.is_some(), button);
+    response.widget_info(|| match checked {
+        Some(on) => WidgetInfo::selected(Role::MenuItemCheckBox, wanted.is_some(), on, &text),
+        None => WidgetInfo::labeled(Role::MenuItem, wanted.is_some(), &text),
+    });
+    if response.clicked() {
         actions.extend(wanted.unwrap_or_default());
         ui.close();
+    }
+}
+
+/// The picture of an entry, or as much room.
+pub(crate) fn sign_text(sign: Option<MaterialIcon>) -> RichText {
+    match sign {
+        Some(sign) => sign.rich_text().size(16.0),
+        None => icon::ICON_CHECK.rich_text().size(16.0).color(egui::Color32::TRANSPARENT),
     }
 }
 
@@ -52,6 +52,12 @@ fn groups(ui: &mut Ui, context: &Context<'_>, groups: Groups, actions: &mut Vec<
     for (place, group) in groups.iter().enumerate() {
         if place > 0 {
             ui.separator();
+        }
+        if matches!(group, [Entry::Look(_), ..]) {
+            ui.menu_button((sign_text(None), words::look_from(context.lang)), |ui| {
+                group.iter().for_each(|entry| row(ui, context, *entry, actions));
+            });
+            continue;
         }
         for entry in *group {
             row(ui, context, *entry, actions);
@@ -101,7 +107,7 @@ pub(crate) fn menu_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
 fn file(ui: &mut Ui, context: &Context<'_>, entries: Groups, actions: &mut Vec<Action>) {
     let Some((first, rest)) = entries.split_first() else { return };
     first.iter().for_each(|entry| row(ui, context, *entry, actions));
-    ui.menu_button((RichText::new(" ").size(16.0), words::open_recent(context.lang)), |ui| {
+    ui.menu_button((sign_text(None), words::open_recent(context.lang)), |ui| {
         if context.settings.recent.is_empty() {
             ui.add_enabled(false, Button::new(words::no_recent(context.lang)));
         }
@@ -120,7 +126,7 @@ fn file(ui: &mut Ui, context: &Context<'_>, entries: Groups, actions: &mut Vec<A
 
 /// The views of the document, to be shown.
 fn views(ui: &mut Ui, context: &Context<'_>, actions: &mut Vec<Action>) {
-    ui.menu_button((RichText::new(" ").size(16.0), words::show_view(context.lang)), |ui| {
+    ui.menu_button((sign_text(None), words::show_view(context.lang)), |ui| {
         for view in &context.document.stage().views {
             let open = context.settings.layout.shows(&view.name);
             if ui.add(Button::selectable(open, view.name.to_string())).clicked() {

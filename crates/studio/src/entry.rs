@@ -320,7 +320,7 @@ impl Entry {
             Entry::Pause => keys![NONE P],
             Entry::Restart => keys![NONE F5],
             Entry::CopyPicture => keys![CTRL_SHIFT C],
-            Entry::ZoomIn => keys![CTRL Plus],
+            Entry::ZoomIn => keys![CTRL Plus, CTRL Equals],
             Entry::ZoomOut => keys![CTRL Minus],
             Entry::ZoomReset => keys![CTRL Num0],
             Entry::Outliner => keys![NONE F9],

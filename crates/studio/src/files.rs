@@ -10,7 +10,7 @@ use crate::theme::Palette;
 use crate::toasts::Toast;
 use crate::writing::{What, Writing, Written};
 use crate::{FileAction, Tab, told};
-use egui::{ColorImage, Id};
+use egui::ColorImage;
 use lancer_document::open::{Content, MESH_EXTENSIONS, OnDisk, OpenError, ViewsFile, Warnings, views_beside};
 use lancer_document::{Document, StepName};
 use lancer_formats::load::LoadOptions;
@@ -388,7 +388,7 @@ impl Studio {
             return;
         }
         let mut given_up = false;
-        let modal = egui::Modal::new(Id::unique("reading")).show(ctx, |ui| {
+        let modal = modals::modal(ctx, "reading").show(ctx, |ui| {
             ui.set_width(320.0);
             ui.horizontal(|ui| {
                 ui.add(egui::Spinner::new().size(18.0).color(palette.accent));

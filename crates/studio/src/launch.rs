@@ -104,14 +104,14 @@ fn why(lang: Lang, cause: &str) -> String {
 fn is_installed(library: &str) -> bool {
     let folders = ["/lib", "/usr/lib", "/lib64", "/usr/lib64", "/usr/local/lib", "/run/opengl-driver/lib"];
     let own = std::env::var("LD_LIBRARY_PATH").unwrap_or_default();
-    let listed = std::fs::read("/etc/ld.so.cache").is_ok_and(|cache| {
-        let name = [library.as_bytes(), b"\0"].concat();
-        cache.windows(name.len()).any(|window| window == name)
-    });
+    let cache = std::fs::read("/etc/ld.so.cache").unwrap_or_default();
+    // the cache holds the whole paths between zero bytes
+    let listed = cache.split(|byte| *byte == 0).filter_map(|text| std::str::from_utf8(text).ok()).map(Path::new);
+    let listed = listed.filter(|path| path.file_name().is_some_and(|name| name == library)).map(Path::to_owned);
     let triple = format!("{}-linux-gnu", std::env::consts::ARCH);
-    let in_folder = |folder: &Path| folder.join(library).exists() || folder.join(&triple).join(library).exists();
-    listed
-        || own.split(':').filter(|folder| !folder.is_empty()).chain(folders).any(|folder| in_folder(Path::new(folder)))
+    let folders = own.split(':').filter(|folder| !folder.is_empty()).chain(folders).map(Path::new);
+    let usual = folders.flat_map(|folder| [folder.join(library), folder.join(&triple).join(library)]);
+    listed.chain(usual).any(|path| path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0))
 }
 
 /// The window's picture: a lit ball, drawn by its formula.

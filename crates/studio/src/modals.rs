@@ -54,6 +54,12 @@ pub(crate) fn show(studio: &mut Studio, ctx: &egui::Context, palette: &Palette) 
     }
 }
 
+/// A window that everything else waits for.
+pub(crate) fn modal(ctx: &egui::Context, name: &str) -> egui::Modal {
+    let frame = egui::Frame::window(&ctx.style_of(ctx.theme())).inner_margin(egui::Margin::same(20));
+    egui::Modal::new(Id::unique(name)).frame(frame)
+}
+
 /// A button that is taken by Enter.
 pub(crate) fn default_button<'a>(text: String, palette: &Palette) -> Button<'a> {
     Button::new(RichText::new(text).strong()).fill(palette.selected).min_size(egui::vec2(90.0, 28.0))
@@ -62,7 +68,7 @@ pub(crate) fn default_button<'a>(text: String, palette: &Palette) -> Button<'a> 
 fn unsaved(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, after: After) {
     let (lang, name) = (studio.model.lang, studio.model.name());
     let mut answer = None;
-    let modal = egui::Modal::new(Id::unique("unsaved")).show(ctx, |ui| {
+    let modal = modal(ctx, "unsaved").show(ctx, |ui| {
         ui.set_width(440.0);
         ui.heading(words::unsaved_title(lang));
         ui.add_space(6.0);
@@ -102,7 +108,7 @@ fn recover(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, entry: B
     let name = file.unwrap_or_else(|| words::untitled(lang));
     let age = journal.written.elapsed().unwrap_or_default();
     let mut answer = None;
-    let modal = egui::Modal::new(Id::unique("recover")).show(ctx, |ui| {
+    let modal = modal(ctx, "recover").show(ctx, |ui| {
         ui.set_width(440.0);
         ui.heading(words::recover_title(lang));
         ui.add_space(6.0);
@@ -139,7 +145,7 @@ fn recover(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, entry: B
 /// A sheet to read, with a button that closes it; whether it stays open.
 fn sheet(ctx: &egui::Context, palette: &Palette, lang: Lang, content: impl FnOnce(&mut Ui)) -> bool {
     let mut closed = false;
-    let modal = egui::Modal::new(Id::unique("sheet")).show(ctx, |ui| {
+    let modal = modal(ctx, "sheet").show(ctx, |ui| {
         content(ui);
         ui.add_space(10.0);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -178,7 +184,7 @@ fn keys(ui: &mut Ui, palette: &Palette, lang: Lang) {
             continue;
         }
         section(ui, palette, name(lang));
-        Grid::new(name(lang)).num_columns(2).min_col_width(120.0).spacing([12.0, 3.0]).show(ui, |ui| {
+        Grid::new(name(lang)).num_columns(2).min_col_width(150.0).spacing([12.0, 3.0]).show(ui, |ui| {
             for entry in entries {
                 let keys: Vec<String> =
                     entry.keys().iter().map(|keys| menu::keys(lang, &ui.ctx().format_shortcut(keys))).collect();

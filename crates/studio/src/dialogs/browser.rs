@@ -3,7 +3,7 @@
 use super::{Reply, Request};
 use crate::chrome::icon_button;
 use crate::theme::Palette;
-use egui::{Button, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Button, Key, Modifiers, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 use egui_material_icons::icons as icon;
 use lancer_words::{Lang, studio::app as words};
 use std::path::{Path, PathBuf};
@@ -81,7 +81,7 @@ impl Browser {
     /// Draws the dialog; gives the reply once there is one.
     pub fn show(&mut self, ctx: &egui::Context, palette: &Palette, lang: Lang) -> Option<Reply> {
         let mut reply = None;
-        let modal = Modal::new(Id::unique("file dialog")).show(ctx, |ui| {
+        let modal = crate::modals::modal(ctx, "file dialog").show(ctx, |ui| {
             ui.set_width(560.0);
             ui.heading(&self.request.title);
             ui.add_space(4.0);
@@ -179,11 +179,13 @@ impl Browser {
             let names: Vec<String> =
                 self.request.filters.iter().map(|(name, _)| name.clone()).chain(std::iter::once(all)).collect();
             let current = names.get(self.filter).cloned().unwrap_or_default();
-            egui::ComboBox::from_id_salt("kinds").selected_text(current).show_ui(ui, |ui| {
+            let combo = egui::ComboBox::from_id_salt("kinds").selected_text(current).show_ui(ui, |ui| {
                 for (place, name) in names.iter().enumerate() {
                     ui.selectable_value(&mut self.filter, place, name);
                 }
             });
+            let name = words::kinds_of_files(lang);
+            combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, &name));
             if self.filter != before {
                 self.list();
             }

@@ -1,10 +1,11 @@
 //! The controls in the bar of a pane: steps, size, depth and samples, pictures, and the rest.
 
 use super::live::LiveView;
+use crate::bars::sign_text;
 use crate::chrome::{icon_menu, icon_switch};
 use crate::entry::Entry;
 use crate::{Action, Context, ViewAction};
-use egui::{Button, RichText, Ui};
+use egui::{Button, RichText, Role, Ui, WidgetInfo};
 use egui_material_icons::icons as icon;
 use lancer_document::navigate::Side;
 use lancer_document::{Item, attribute};
@@ -80,7 +81,7 @@ fn picture(ui: &mut Ui, context: &Context<'_>, live: &LiveView, view: &View, act
         actions.push(Action::View(view.name.clone(), ViewAction::Fit(fit)));
     }
     let own = [view.width, view.height];
-    for size in SIZES.iter().copied().chain((!SIZES.contains(&own)).then_some(own)) {
+    for size in (!SIZES.contains(&own)).then_some(own).into_iter().chain(SIZES) {
         let [width, height] = size;
         if ui.radio(size == own, format!("{width} × {height}")).clicked() && size != own {
             actions.extend(set(context, view, "width", |view| [view.width, view.height] = size));
@@ -186,8 +187,11 @@ fn more(ui: &mut Ui, context: &Context<'_>, live: &LiveView, view: &View, action
             }
             let text = if matches!(action, ViewAction::Attach) { menu::attach(lang) } else { entry.name(lang) };
             let keys = entry.keys().first().map(|keys| menu::keys(lang, &ui.ctx().format_shortcut(keys)));
-            let button = Button::new(text).selected(*checked == Some(true)).shortcut_text(keys.unwrap_or_default());
-            if ui.add(button).clicked() {
+            let sign = if checked == &Some(true) { Some(icon::ICON_CHECK) } else { None };
+            let button = Button::new((sign_text(sign), text.as_str())).shortcut_text(keys.unwrap_or_default());
+            let response = ui.add(button);
+            response.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, &text));
+            if response.clicked() {
                 actions.push(Action::View(view.name.clone(), action.clone()));
                 ui.close();
             }

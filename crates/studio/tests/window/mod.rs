@@ -90,7 +90,7 @@ impl Window {
     pub fn opening(stage: Stage, lang: Lang, open: Vec<PathBuf>) -> Window {
         let dialogs = Scripted::default();
         let scripted = dialogs.clone();
-        let mut harness = Harness::builder().with_size(Vec2::new(1280.0, 800.0)).build_eframe(move |creation| {
+        let mut harness = Harness::builder().with_size(Vec2::new(1000.0, 640.0)).build_eframe(move |creation| {
             let settings = Settings::default();
             let dialogs = Box::new(scripted);
             let start = Start { settings, lang: Some(lang), stage, open, dialogs, journals: None };
@@ -174,8 +174,10 @@ impl Window {
     pub fn menu(&mut self, menu: &str, entry: &str) {
         self.click(menu);
         let nodes: Vec<_> = self.harness.query_all_by_label(entry).collect();
-        // what stands in the menu comes after what stands in the bars
-        nodes.last().unwrap_or_else(|| panic!("no entry {entry}")).click();
+        let is_entry = |node: &&egui_kittest::Node<'_>| {
+            matches!(node.accesskit_node().role(), egui::Role::MenuItem | egui::Role::MenuItemCheckBox)
+        };
+        nodes.iter().find(is_entry).unwrap_or_else(|| panic!("no entry {entry}")).click();
         self.settle();
     }
 

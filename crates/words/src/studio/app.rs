@@ -108,6 +108,8 @@ phrases! {
     folder_unreadable(cause) { "Not found or not readable: {cause}", "Introuvable ou illisible : {cause}" }
     /// The field of a file's name.
     file_name() { "File name", "Nom du fichier" }
+    /// The field that chooses which files are listed.
+    kinds_of_files() { "Kinds of files", "Types de fichiers" }
     /// Every kind of file.
     all_files() { "All files", "Tous les fichiers" }
     /// Scenes of every format.

@@ -221,20 +221,37 @@ phrases! {
     region_does() { "Render that rectangle first", "Calculer d'abord ce rectangle" }
 }
 
-/// The name of a shortcut such as `Ctrl+Shift+S` in that language.
+/// The name of a shortcut such as `Ctrl+Shift+S` as keyboards of that language have it, from the toolkit's English name.
 pub fn keys(lang: Lang, english: &str) -> String {
-    match lang {
-        Lang::English => english.to_owned(),
-        Lang::French => english
-            .split('+')
-            .map(|key| match key {
-                "Shift" => "Maj",
-                "Delete" => "Suppr",
-                "Escape" | "Esc" => "Échap",
-                "Space" => "Espace",
-                other => other,
-            })
-            .collect::<Vec<_>>()
-            .join("+"),
+    let name = |key: &str| -> String {
+        let (english, french) = match key {
+            "Shift" => ("Shift", "Maj"),
+            "Delete" => ("Del", "Suppr"),
+            "Escape" => ("Esc", "Échap"),
+            "Space" => ("Space", "Espace"),
+            "Backslash" => ("\\", "\\"),
+            "Plus" => ("+", "+"),
+            "Minus" => ("-", "-"),
+            other => (other, other),
+        };
+        match lang {
+            Lang::English => english,
+            Lang::French => french,
+        }
+        .to_owned()
+    };
+    english.split('+').map(name).collect::<Vec<_>>().join("+")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_named_as_the_keyboard_has_them() {
+        assert_eq!(keys(Lang::French, "Ctrl+Shift+S"), "Ctrl+Maj+S");
+        assert_eq!(keys(Lang::French, "Delete"), "Suppr");
+        assert_eq!(keys(Lang::English, "Ctrl+Plus"), "Ctrl++");
+        assert_eq!(keys(Lang::English, "Ctrl+Backslash"), "Ctrl+\\");
     }
 }
