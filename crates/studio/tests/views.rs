@@ -170,7 +170,7 @@ fn a_marked_rectangle_is_kept_and_the_picture_is_the_same_in_the_end() {
 #[test]
 fn sides_and_framing_are_steps() {
     let mut window = window();
-    window.menu("View", "Top");
+    window.press(Modifiers::NONE, Key::Num7);
     let eye = window.eye("front");
     assert!(eye.y > 3.0 && eye.x.abs() < 1e-6, "{eye}");
     window.menu("View", "Frame the selection");

@@ -28,14 +28,13 @@ impl Mapping {
 
     /// The point in pixels of the view at a place on the screen.
     pub fn to_view(&self, place: Pos2) -> (f64, f64) {
-        let part = (place - self.rect.min) / self.rect.size();
-        (f64::from(part.x) * self.size.0, f64::from(part.y) * self.size.1)
+        self.movement(place - self.rect.min)
     }
 
     /// A movement on the screen in pixels of the view.
     pub fn movement(&self, by: Vec2) -> (f64, f64) {
-        let part = by / self.rect.size();
-        (f64::from(part.x) * self.size.0, f64::from(part.y) * self.size.1)
+        let part = |by: f32, whole: f32| f64::from(by) / f64::from(whole);
+        (part(by.x, self.rect.width()) * self.size.0, part(by.y, self.rect.height()) * self.size.1)
     }
 
     /// The pixel of a picture of that size at a place on the screen; `None` outside.
@@ -43,9 +42,11 @@ impl Mapping {
         if !self.rect.contains(place) || width == 0 || height == 0 {
             return None;
         }
-        let part = (place - self.rect.min) / self.rect.size();
-        let cell = |part: f32, count: u32| ((f64::from(part) * f64::from(count)) as u32).min(count - 1);
-        Some((cell(part.x, width), cell(part.y, height)))
+        let by = place - self.rect.min;
+        let cell = |by: f32, whole: f32, count: u32| {
+            ((f64::from(by) * f64::from(count) / f64::from(whole)) as u32).min(count - 1)
+        };
+        Some((cell(by.x, self.rect.width(), width), cell(by.y, self.rect.height(), height)))
     }
 
     /// The pixels of a picture of that size between two places on the screen; `None` where there is none.
