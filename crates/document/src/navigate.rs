@@ -61,14 +61,15 @@ pub(crate) fn said_vertical(view: &View) -> Option<DVec3> {
 #[must_use]
 pub fn orbit(view: &View, vertical: DVec3, pivot: DVec3, right: f64, down: f64) -> View {
     let Some(sight) = Sight::of(view) else { return view.clone() };
-    let mirrored = if sight.screen.is_mirrored(view.eye) { -1.0 } else { 1.0 };
-    let height = (-sight.forward.dot(vertical)).clamp(-1.0, 1.0);
-    let elevation = libm::asin(height).to_degrees();
-    let upwards = (elevation + down).clamp(-90.0, 90.0) - elevation;
-    let yaw = Rotation::about(vertical, -right * mirrored);
     // where the eye is on a pole, the picture's own right is the horizontal
     let level = sight.forward.cross(vertical);
-    let level = if level.length() < NEAR_POLE { sight.right * mirrored } else { level.normalize() };
+    let level = if level.length() < NEAR_POLE { sight.right } else { level.normalize() };
+    // a picture that is mirrored or upside down turns the other way in space
+    let rightwards = right * sight.right.dot(level).signum();
+    let downwards = down * sight.top.dot(level.cross(sight.forward)).signum();
+    let elevation = libm::asin((-sight.forward.dot(vertical)).clamp(-1.0, 1.0)).to_degrees();
+    let upwards = (elevation + downwards).clamp(-90.0, 90.0) - elevation;
+    let yaw = Rotation::about(vertical, -rightwards);
     let pitch = Rotation::about(yaw.apply(level), -upwards);
     moved(view, vertical, pivot, &|vector| pitch.apply(yaw.apply(vector)), DVec3::ZERO)
 }

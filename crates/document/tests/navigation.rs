@@ -69,6 +69,28 @@ fn an_orbit_to_the_right_shows_the_left_side() {
     assert_eq!(above.screen, front.screen, "up stays 0 1 0 and the target stays");
 }
 
+/// Also in a picture that is mirrored, upside down, or both, what is in front follows the pointer.
+#[test]
+fn what_is_in_front_follows_the_pointer_in_every_picture() {
+    let upright = four_ways()[1].resolved_screen().unwrap();
+    let Screen { origin, u, v } = upright;
+    let flipped = [
+        upright,
+        Screen { origin: origin + u, u: -u, v },
+        Screen { origin: origin + v, u, v: -v },
+        Screen { origin: origin + u + v, u: -u, v: -v },
+    ];
+    for screen in flipped {
+        let view = View { screen: ScreenSpec::Frame(screen), ..four_ways()[0].clone() };
+        let before = TARGET + (EYE - TARGET).normalize() * 0.5;
+        let (x0, y0) = pixel(&view, before);
+        let (x1, y1) = pixel(&orbit(&view, DVec3::Y, TARGET, 5.0, 0.0), before);
+        assert!(x1 > x0 + 5.0 && (y1 - y0).abs() < 5.0, "{screen:?}: {x0} {y0} {x1} {y1}");
+        let (x1, y1) = pixel(&orbit(&view, DVec3::Y, TARGET, 0.0, 5.0), before);
+        assert!(y1 > y0 + 5.0 && (x1 - x0).abs() < 5.0, "{screen:?}: {x0} {y0} {x1} {y1}");
+    }
+}
+
 /// Every way to give a screen moves alike, and keeps its way.
 #[test]
 fn the_four_ways_of_a_screen_move_alike() {
