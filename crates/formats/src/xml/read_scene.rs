@@ -115,11 +115,7 @@ impl<'d> SceneReader<'d, '_, '_> {
             background: fields.color("background")?,
             index: fields.color("index")?,
             depth: fields.integer("depth")?,
-            compose: match fields.word("compose")? {
-                "add" => Compose::Add,
-                "screen-each" => Compose::ScreenEach,
-                _ => Compose::Screen,
-            },
+            compose: among(Compose::ALL, Compose::word, fields.word("compose")?)?,
         };
         let rule = world.check();
         fields.checked(world, rule, self.sink)
@@ -248,20 +244,18 @@ fn surface(fields: &Fields<'_>) -> Option<Surface> {
         ka: fields.color("ka")?,
         kd: fields.color("kd")?,
         ks: fields.color("ks")?,
-        w: match fields.word("w")? {
-            "schlick" => Reflectance::Schlick,
-            "grazing" => Reflectance::Grazing,
-            _ => Reflectance::Constant,
-        },
+        w: among(Reflectance::ALL, Reflectance::word, fields.word("w")?)?,
         shininess: fields.color("n")?,
         kr: fields.color("kr")?,
         kt: fields.color("kt")?,
         index: fields.color("index")?,
-        highlight: match fields.word("highlight")? {
-            "blinn" => Highlight::Blinn,
-            _ => Highlight::Phong,
-        },
+        highlight: among(Highlight::ALL, Highlight::word, fields.word("highlight")?)?,
     })
+}
+
+/// The choice that a word of the vocabulary means.
+fn among<T: Copy, const N: usize>(all: [T; N], word: fn(T) -> &'static str, found: &str) -> Option<T> {
+    all.into_iter().find(|choice| word(*choice) == found)
 }
 
 /// Every shape but a mesh.
