@@ -9,6 +9,7 @@ mod cancel;
 mod channels;
 pub mod explain;
 pub mod observe;
+mod precision;
 mod ray;
 pub mod reference;
 mod settings;
