@@ -1,4 +1,5 @@
 //! The readers of native scenes and views: the model that comes out.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
 use lancer_formats::xml::{Document, read_scene, read_views};
