@@ -9,6 +9,7 @@ import numpy as np
 NONE = np.inf
 CRACK = 1e-12       # facets grow by this share of themselves, so that rounding opens no crack between two of them
 NEIGHBOUR = 1e-9    # a ray from one facet meets no other facet of its object nearer than this share of the coordinates
+TOUCH = 1e-12       # what a ray starts on, as far as rounding lets one tell, is no hit either: an eye may lie on a surface
 
 
 def dot(a, b):
@@ -17,6 +18,11 @@ def dot(a, b):
 
 def unit(rows):
     return rows / np.sqrt(dot(rows, rows))[..., None]
+
+
+def touch(S, Q):
+    """How near is on it, for points S and a point Q of the surface."""
+    return TOUCH * np.maximum(np.abs(S).max(-1), np.abs(Q).max())
 
 
 class Sphere:
@@ -34,7 +40,8 @@ class Sphere:
         delta = self.radius ** 2 - dot(SC - q[:, None] * I, SC - q[:, None] * I)
         root = np.sqrt(np.maximum(delta, 0))
         t = np.where(q - root > 0, q - root, q + root)
-        t = np.where(start >= 0, 2 * q, np.where(delta > 0, t, NONE))
+        on = np.abs(np.sqrt(dot(SC, SC)) - self.radius) <= touch(S, self.center) + TOUCH * self.radius
+        t = np.where((start >= 0) | on, 2 * q, np.where(delta > 0, t, NONE))
         return np.where(t > 0, t, NONE), np.zeros(len(S), int)
 
     def normals(self, P, facet):
@@ -42,7 +49,7 @@ class Sphere:
         return N, N
 
     def contains(self, P):
-        return np.linalg.norm(P - self.center) < self.radius
+        return np.linalg.norm(P - self.center) < self.radius - touch(P, self.center) - TOUCH * self.radius
 
 
 class Plane:
@@ -55,15 +62,16 @@ class Plane:
 
     def hits(self, S, I, start, far):
         with np.errstate(divide="ignore", invalid="ignore"):
-            t = ((self.p0 - S) @ self.normal) / (I @ self.normal)
-        return np.where((t > 0) & (start < 0), t, NONE), np.zeros(len(S), int)
+            height = (self.p0 - S) @ self.normal
+            t = height / (I @ self.normal)
+        return np.where((t > 0) & (start < 0) & (np.abs(height) > touch(S, self.p0)), t, NONE), np.zeros(len(S), int)
 
     def normals(self, P, facet):
         N = np.broadcast_to(self.normal, P.shape)
         return N, N
 
     def contains(self, P):
-        return (P - self.p0) @ self.normal < 0
+        return (P - self.p0) @ self.normal < -touch(P, self.p0)
 
 
 class Facets:
@@ -134,7 +142,7 @@ class Facets:
                 alpha = s @ a.T + t * (i @ a.T) - dot(p0, a)
                 beta = s @ b.T + t * (i @ b.T) - dot(p0, b)
                 own = start[some, None]
-                least = np.where(own >= 0, NEIGHBOUR * (1 + np.abs(s).max(1))[:, None], 0)
+                least = np.where(own >= 0, NEIGHBOUR, TOUCH) * (1 + np.abs(s).max(1))[:, None]
                 good = (alpha >= -CRACK) & (beta >= -CRACK) & (alpha + beta <= 1 + CRACK) & (t > least) & (own != group)
                 t = np.where(good, t, NONE)
                 k = t.argmin(1)

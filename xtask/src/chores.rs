@@ -35,6 +35,7 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
         cargo(root, &["build", "--package", "lancer"], &[])?;
         let lancer = root.join("target/debug/lancer");
         run(root, Command::new("/usr/bin/python3").arg("tests/outside/agrees.py").arg(lancer))?;
+        run(root, Command::new("/usr/bin/python3").arg("tests/outside/suite.py"))?;
     } else {
         println!("left out: python3 with numpy is not there, so nothing was compared with tests/outside");
     }

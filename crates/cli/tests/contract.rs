@@ -158,7 +158,26 @@ fn statistics_are_told_as_text_beside_a_picture_on_standard_output() {
     assert!(told.starts_with("lecture ") && told.contains("\n  primaires "), "{told}");
 }
 
+/// `script` gives the program a terminal. On it somebody sees a bar, and at the end where the picture is.
 #[test]
+#[cfg(target_os = "linux")]
+fn progress_is_shown_on_a_terminal_only() {
+    let folder = folder();
+    let on_a_terminal = |options: &str| {
+        let command = format!("'{}' scene.xml view.xml {options}", common::program().display());
+        let mut script = assert_cmd::Command::new("script");
+        script.args(["-qec", &command, "/dev/null"]).current_dir(folder.path()).env("LANG", "C").env("TERM", "xterm");
+        script.output().ok().map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    // a machine without `script` cannot show it
+    let Some(shown) = on_a_terminal("") else { return };
+    assert!(shown.contains("front ") && shown.contains(" %") && shown.contains("output.ppm: 40×30, "), "{shown:?}");
+    assert_eq!(on_a_terminal("-q").unwrap(), "");
+    assert_eq!(run(folder.path(), &["scene.xml", "view.xml"]), (0, String::new(), String::new()));
+}
+
+#[test]
+#[cfg(unix)]
 fn links_are_followed_and_modes_kept() {
     use std::os::unix::fs::{PermissionsExt, symlink};
     let folder = folder();
@@ -180,6 +199,7 @@ fn a_scene_named_like_a_command_is_given_with_its_folder() {
 }
 
 #[test]
+#[cfg(unix)]
 fn paths_need_not_be_unicode() {
     use std::os::unix::ffi::OsStrExt;
     let folder = folder();

@@ -284,14 +284,7 @@ fn shared_geometry_stands_once_and_is_shared_again() {
     assert!(file.len() < 125_000, "{}", file.len());
     let read = read_scene(&file).unwrap();
     assert_eq!(read, scene);
-    let geometries: Vec<_> = read
-        .objects
-        .iter()
-        .map(|object| match &object.shape {
-            Shape::Mesh(mesh) => Arc::as_ptr(&mesh.geometry),
-            _ => unreachable!(),
-        })
-        .collect();
+    let geometries: Vec<_> = read.objects.iter().map(|object| Arc::as_ptr(object.shape.geometry().unwrap())).collect();
     assert!(geometries.windows(2).all(|pair| pair[0] == pair[1]));
 }
 

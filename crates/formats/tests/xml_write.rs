@@ -1,4 +1,5 @@
 //! The canonical layout: what is written reads back as the same model, and is written again as the same text.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
 mod xml_models;
 

@@ -1,4 +1,5 @@
 //! What must hold of every rendered picture: threads and regions change nothing, errors are the same for all threads.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use lancer_render::{PixelFault, Region, RenderError, RenderOptions, Still, render_still};
 use lancer_scene::{

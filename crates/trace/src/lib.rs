@@ -1,7 +1,7 @@
 //! Rays to colours: what a picture's pixels are, by the formulas of the course's subject.
 //!
 //! A checked scene is compiled into a [`World`]; a [`Camera`] turns pixels into rays; a [`Tracer`] follows them and
-//! tells an [`Observer`] everything it computes. The [`reference`] is the subject's text in f64, one function a
+//! tells an [`Observer`] everything it computes. The [reference](mod@reference) is the subject's text in f64, one function a
 //! formula: it is the truth that faster engines are held to, and the explanation of a pixel.
 
 mod camera;
@@ -10,6 +10,7 @@ mod channels;
 pub mod explain;
 pub mod observe;
 mod pick;
+mod precision;
 mod ray;
 pub mod reference;
 mod settings;

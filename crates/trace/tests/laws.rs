@@ -438,3 +438,31 @@ fn a_lamp_on_a_surface_lights_everything_else() {
         }
     }
 }
+
+/// An eye on a surface is outside of what it encloses and does not see that surface: through glass without air around
+/// it, the ray goes straight on.
+#[test]
+fn an_eye_on_a_surface_is_outside() {
+    let glass = glass(1.5);
+    let slanting = DVec3::new(0.31, -0.93, 0.17).normalize();
+    let (u, v) = slanting.any_orthonormal_pair();
+    let eye = DVec3::new(0.3, 2.1, -0.7);
+    let ball = sphere("ball", eye + slanting * 0.83, 0.83, glass.clone());
+    let half_space = plane("half-space", eye, -slanting, glass.clone());
+    let origin = eye - u * 0.37 - v * 0.41;
+    let slab = object("slab", Shape::Parallelepiped { origin, edges: [u, v, slanting] }, glass);
+    for body in [ball, half_space, slab] {
+        let name = body.name.clone();
+        let crossings_of_surfaces = usize::from(&*name != "half-space");
+        let scene = scene(vec![body], Environment { background: Rgb::splat(0.75), ..Environment::default() });
+        for step in 0..200 {
+            let aside = u * (f64::from(step % 20) * 0.01 - 0.1) + v * (f64::from(step / 20) * 0.02 - 0.1);
+            let tree = open(&scene, &pixel(eye, eye + slanting + aside));
+            let nodes = &tree.samples[0].tree.nodes;
+            assert_eq!(nodes[0].media.len(), 0, "{name} {step}");
+            assert_eq!(nodes.len(), 1 + crossings_of_surfaces, "{name} {step}");
+            assert!(nodes.iter().all(|node| (node.ray.direction - nodes[0].ray.direction).length() < 1e-15));
+            assert_eq!(tree.color, Rgb::splat(0.75));
+        }
+    }
+}

@@ -61,9 +61,9 @@ reports! {
     }
     /// A colour of the scene before the last one.
     earlier_colour(line) {
-        "only the last `<Couleur>` of the scene counts", "that of line {line} is taken instead",
+        "only the last `Couleur` of the scene counts", "that of line {line} is taken instead",
         "it is the ambient light and the background";
-        "seule la dernière « <Couleur> » de la scène compte", "celle de la ligne {line} est prise à sa place",
+        "seule la dernière « Couleur » de la scène compte", "celle de la ligne {line} est prise à sa place",
         "c'est la lumière ambiante et le fond";
     }
     /// A number outside its range.

@@ -11,7 +11,7 @@
 //! | 24.. | the body |
 //!
 //! The frame is the same in every version, so damage is told from a newer version. The body of version 1 is a CBOR item
-//! (RFC 8949) for the structure and, behind it, the arrays of the meshes as they lie in memory ([`v1`]). The structs of a
+//! (RFC 8949) for the structure and, behind it, the arrays of the meshes as they lie in memory (`v1/`). The structs of a
 //! version are its own and never change: its files stay readable however the model grows.
 
 mod frame;

@@ -130,6 +130,6 @@ mod tests {
         table.push(vec![Cell::Blank, Cell::number(0.5)]);
         table.push(vec![Cell::text("a"), Cell::Blank, Cell::number(0.125)]);
         assert_eq!(table.lines(), ["  name   Ka", "  é球    10.25 -1", "          0.5", "  a             0.125"]);
-        assert_eq!(table.width(), 17);
+        assert_eq!(table.width(), 21);
     }
 }

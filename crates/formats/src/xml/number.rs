@@ -337,11 +337,10 @@ mod tests {
 
     #[test]
     fn a_decimal_comma_is_seen() {
-        let comma = |fault: Box<Diagnostic>| match fault.problem {
-            crate::Problem::Xml(crate::xml::XmlProblem::Value(ValueProblem::DecimalComma { suggestion, .. })) => {
-                Some((suggestion.to_string(), fault.span.unwrap()))
-            }
-            _ => None,
+        let comma = |fault: Box<Diagnostic>| {
+            let crate::Problem::Xml(crate::xml::XmlProblem::Value(problem)) = fault.problem else { return None };
+            let ValueProblem::DecimalComma { suggestion, .. } = problem else { return None };
+            Some((suggestion.to_string(), fault.span.unwrap()))
         };
         let one = comma(written("0,5").number().unwrap_err()).unwrap();
         assert_eq!(one, ("0.5".to_owned(), Span { start: 100, end: 103 }));

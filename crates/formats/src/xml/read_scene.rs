@@ -15,6 +15,7 @@ use lancer_scene::{
     Shape, Surface,
 };
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 /// Reads a native scene. `files` gives the meshes that it names.
@@ -40,7 +41,7 @@ pub(super) struct SceneReader<'d, 's, 'f> {
     /// Every material and every name of an object or a lamp, with the place where it stands first.
     materials: HashMap<Name, Span>,
     names: HashMap<Name, Span>,
-    /// Every use of a material, checked when all of them are known.
+    /// The uses of materials that do not stand further up, checked when all materials are known.
     references: Vec<(Name, Span)>,
 }
 
@@ -74,8 +75,12 @@ impl<'d> SceneReader<'d, '_, '_> {
         }
         reader.check_references();
 
-        let mut automatic = AutomaticNames::new(reader.names.into_keys());
-        let mut named = |name: Option<Name>, stem| name.unwrap_or_else(|| automatic.next(stem));
+        let (mut taken, mut automatic) = (Some(reader.names), None);
+        let mut free_name = |stem| {
+            let names = || AutomaticNames::new(taken.take().unwrap_or_default().into_keys());
+            automatic.get_or_insert_with(names).next(stem)
+        };
+        let mut named = |name: Option<Name>, stem| name.unwrap_or_else(|| free_name(stem));
         let lights = lights.into_iter().map(|(element, light)| {
             Some((element, light.map(|(name, light)| PointLight { name: named(name, "light"), ..light })?))
         });
@@ -115,11 +120,7 @@ impl<'d> SceneReader<'d, '_, '_> {
             background: fields.color("background")?,
             index: fields.color("index")?,
             depth: fields.integer("depth")?,
-            compose: match fields.word("compose")? {
-                "add" => Compose::Add,
-                "screen-each" => Compose::ScreenEach,
-                _ => Compose::Screen,
-            },
+            compose: among(Compose::ALL, Compose::word, fields.word("compose")?)?,
         };
         let rule = world.check();
         fields.checked(world, rule, self.sink)
@@ -199,11 +200,10 @@ impl<'d> SceneReader<'d, '_, '_> {
         inline: Option<Element<'d>>,
         rule: &'static ElementRule,
     ) -> Option<MaterialRef> {
-        let named = fields.text_of("material").map(|(name, span)| (Name::from(name), span));
-        self.references.extend(named.clone());
+        let named = fields.text_of("material").map(|(name, span)| self.reference(name, span));
         match (named, inline) {
             (None, None) => Some(MaterialRef::Default),
-            (Some((name, _)), None) => Some(MaterialRef::Named(name)),
+            (Some(name), None) => Some(MaterialRef::Named(name)),
             (None, Some(element)) => self.inline(element).map(MaterialRef::Inline),
             (Some(_), Some(element)) => {
                 self.sink.error(element.name_span(), StructureProblem::TwoMaterials { element: rule.name });
@@ -211,6 +211,16 @@ impl<'d> SceneReader<'d, '_, '_> {
                 None
             }
         }
+    }
+
+    /// The name of a material. One that does not stand further up is looked up at the end.
+    fn reference(&mut self, name: &str, span: Span) -> Name {
+        if let Some((known, _)) = self.materials.get_key_value(name) {
+            return known.clone();
+        }
+        let name = Name::from(name);
+        self.references.push((name.clone(), span));
+        name
     }
 
     /// Every material that is named must exist.
@@ -234,10 +244,10 @@ impl<'d> SceneReader<'d, '_, '_> {
 
 /// Takes a name, which must be free.
 pub(super) fn claim(taken: &mut HashMap<Name, Span>, name: &Name, span: Span, kind: NameKind, sink: &mut Sink<'_>) {
-    match taken.get(name) {
-        None => drop(taken.insert(name.clone(), span)),
-        Some(first) => {
-            let line = sink.line(first.start);
+    match taken.entry(name.clone()) {
+        Entry::Vacant(free) => drop(free.insert(span)),
+        Entry::Occupied(first) => {
+            let line = sink.line(first.get().start);
             sink.error(span, StructureProblem::NameTaken { kind, name: Excerpt::new(name), line });
         }
     }
@@ -248,20 +258,18 @@ fn surface(fields: &Fields<'_>) -> Option<Surface> {
         ka: fields.color("ka")?,
         kd: fields.color("kd")?,
         ks: fields.color("ks")?,
-        w: match fields.word("w")? {
-            "schlick" => Reflectance::Schlick,
-            "grazing" => Reflectance::Grazing,
-            _ => Reflectance::Constant,
-        },
+        w: among(Reflectance::ALL, Reflectance::word, fields.word("w")?)?,
         shininess: fields.color("n")?,
         kr: fields.color("kr")?,
         kt: fields.color("kt")?,
         index: fields.color("index")?,
-        highlight: match fields.word("highlight")? {
-            "blinn" => Highlight::Blinn,
-            _ => Highlight::Phong,
-        },
+        highlight: among(Highlight::ALL, Highlight::word, fields.word("highlight")?)?,
     })
+}
+
+/// The choice that a word of the vocabulary means.
+fn among<T: Copy, const N: usize>(all: [T; N], word: fn(T) -> &'static str, found: &str) -> Option<T> {
+    all.into_iter().find(|choice| word(*choice) == found)
 }
 
 /// Every shape but a mesh.

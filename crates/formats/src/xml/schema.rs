@@ -93,11 +93,9 @@ impl Writer {
                 let shared =
                     rule.children.iter().any(|child| child.rule.name == MATERIAL.name) && rule.name != SCENE.name;
                 for attribute in rule.attributes {
-                    let apart = match attribute.kind {
-                        Kind::MaterialName => shared,
-                        Kind::Path => true,
-                        _ => form == Form::Inline && attribute.name == "name",
-                    };
+                    let apart = attribute.kind == Kind::Path
+                        || attribute.kind == Kind::MaterialName && shared
+                        || form == Form::Inline && attribute.name == "name";
                     if !apart {
                         out.presence(attribute, form);
                     }

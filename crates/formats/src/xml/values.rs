@@ -3,8 +3,7 @@
 use super::kind::Value;
 use super::vocabulary::{AttributeRule, BOX, CUBE, ElementRule, FACET, MESH, PLANE, Presence, SPHERE};
 use lancer_scene::{
-    Compose, DVec3, Environment, Highlight, Material, MaterialRef, Object, Part, PointLight, Reflectance, Rgb, Scene,
-    ScreenSpec, Shape, Surface, View,
+    DVec3, Environment, Material, MaterialRef, Object, Part, PointLight, Rgb, Scene, ScreenSpec, Shape, Surface, View,
 };
 
 /// The values of an element's attributes by their names; one that is missing does not stand in the document.
@@ -38,40 +37,26 @@ pub(super) fn scene(scene: &Scene) -> Values<'_> {
 }
 
 pub(super) fn world(world: &Environment) -> Values<'static> {
-    let compose = match world.compose {
-        Compose::Screen => "screen",
-        Compose::ScreenEach => "screen-each",
-        Compose::Add => "add",
-    };
     vec![
         ("ambient", channels(world.ambient)),
         ("background", channels(world.background)),
         ("index", channels(world.index)),
         ("depth", Value::Integer(world.depth)),
-        ("compose", Value::Word(compose)),
+        ("compose", Value::Word(world.compose.word())),
     ]
 }
 
 pub(super) fn surface(surface: &Surface) -> Values<'static> {
-    let law = match surface.w {
-        Reflectance::Constant => "constant",
-        Reflectance::Schlick => "schlick",
-        Reflectance::Grazing => "grazing",
-    };
-    let highlight = match surface.highlight {
-        Highlight::Phong => "phong",
-        Highlight::Blinn => "blinn",
-    };
     vec![
         ("ka", channels(surface.ka)),
         ("kd", channels(surface.kd)),
         ("ks", channels(surface.ks)),
-        ("w", Value::Word(law)),
+        ("w", Value::Word(surface.w.word())),
         ("n", channels(surface.shininess)),
         ("kr", channels(surface.kr)),
         ("kt", channels(surface.kt)),
         ("index", channels(surface.index)),
-        ("highlight", Value::Word(highlight)),
+        ("highlight", Value::Word(surface.highlight.word())),
     ]
 }
 

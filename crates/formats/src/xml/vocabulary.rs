@@ -4,7 +4,7 @@
 //! meaning. The readers check by it, the writer follows its order and leaves its defaults out, messages list from it,
 //! and the published schema and the manual are made of it.
 
-use lancer_scene::limits;
+use lancer_scene::{Compose, Highlight, Reflectance, limits};
 use lancer_words::Lang;
 use lancer_words::xml::vocabulary as words;
 
@@ -130,6 +130,10 @@ pub const STEPS: &[&str] = &["shadows", "reflection", "transparency"];
 /// The version of the format that is read and written.
 pub const VERSION: &str = "1";
 
+const COMPOSE: &[&str] = &[Compose::Screen.word(), Compose::ScreenEach.word(), Compose::Add.word()];
+const LAWS: &[&str] = &[Reflectance::Constant.word(), Reflectance::Schlick.word(), Reflectance::Grazing.word()];
+const HIGHLIGHTS: &[&str] = &[Highlight::Phong.word(), Highlight::Blinn.word()];
+
 /// More than 0, so far as a length is told from 0.
 const POSITIVE: Kind = Kind::Channels(limits::LEAST, limits::COORDINATE);
 
@@ -210,7 +214,7 @@ pub static WORLD: ElementRule = ElementRule {
         default("background", "", Kind::Color, "0", words::background),
         default("index", "n", POSITIVE, "1", words::world_index),
         default("depth", "", Kind::Integer(0, limits::DEPTH), "6", words::world_depth),
-        default("compose", "⊕", Kind::Choice(&["screen", "screen-each", "add"]), "screen", words::compose),
+        default("compose", "⊕", Kind::Choice(COMPOSE), Compose::Screen.word(), words::compose),
     ],
     children: &[],
     text: TextRule::Nothing,
@@ -225,12 +229,12 @@ pub static MATERIAL: ElementRule = ElementRule {
         default("ka", "Ka", Kind::Color, "0.2", words::ka),
         default("kd", "Kd", Kind::Color, "0.6", words::kd),
         default("ks", "W", Kind::Color, "0", words::ks),
-        default("w", "W(l)", Kind::Choice(&["constant", "schlick", "grazing"]), "constant", words::w),
+        default("w", "W(l)", Kind::Choice(LAWS), Reflectance::Constant.word(), words::w),
         default("n", "n", Kind::Channels(0.0, limits::SHININESS), "30", words::shininess),
         default("kr", "Kr", Kind::Color, "0", words::kr),
         default("kt", "Kt", Kind::Color, "0", words::kt),
         default("index", "n'", POSITIVE, "1", words::material_index),
-        default("highlight", "cos s", Kind::Choice(&["phong", "blinn"]), "phong", words::highlight),
+        default("highlight", "cos s", Kind::Choice(HIGHLIGHTS), Highlight::Phong.word(), words::highlight),
     ],
     children: &[],
     text: TextRule::Nothing,

@@ -18,12 +18,12 @@ fn number(min: f64, max: f64) -> BoxedStrategy<f64> {
     prop_oneof![3 => round, 1 => min..=max].boxed()
 }
 
-pub fn coordinate() -> BoxedStrategy<f64> {
+pub(crate) fn coordinate() -> BoxedStrategy<f64> {
     prop_oneof![4 => number(-10.0, 10.0), 1 => number(-1e9, 1e9), 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300)]
         .boxed()
 }
 
-pub fn point() -> impl Strategy<Value = DVec3> {
+pub(crate) fn point() -> impl Strategy<Value = DVec3> {
     [coordinate(), coordinate(), coordinate()].prop_map(DVec3::from)
 }
 
@@ -38,12 +38,12 @@ fn channels(min: f64, max: f64) -> BoxedStrategy<Rgb> {
     .boxed()
 }
 
-pub fn color() -> BoxedStrategy<Color> {
+pub(crate) fn color() -> BoxedStrategy<Color> {
     channels(0.0, 1.0).boxed()
 }
 
 /// Names of every alphabet, with characters that XML escapes, and some that look like automatic ones.
-pub fn name() -> BoxedStrategy<Name> {
+pub(crate) fn name() -> BoxedStrategy<Name> {
     prop_oneof![
         2 => "[a-z]{1,6}",
         1 => "[a-zé<>&\"' 漢😀.-]{1,12}",
@@ -54,7 +54,7 @@ pub fn name() -> BoxedStrategy<Name> {
     .boxed()
 }
 
-pub fn surface() -> BoxedStrategy<Surface> {
+pub(crate) fn surface() -> BoxedStrategy<Surface> {
     let law = prop::sample::select(&Reflectance::ALL[..]);
     let highlight = prop::sample::select(&Highlight::ALL[..]);
     let numbers = (color(), color(), color(), channels(0.0, 10_000.0), color(), color(), channels(1e-9, 3.0));
@@ -72,7 +72,7 @@ pub fn surface() -> BoxedStrategy<Surface> {
     prop_oneof![any, Just(Surface::default())].boxed()
 }
 
-pub fn environment() -> BoxedStrategy<Environment> {
+pub(crate) fn environment() -> BoxedStrategy<Environment> {
     let compose = prop::sample::select(&Compose::ALL[..]);
     let any = (color(), color(), channels(1e-9, 3.0), 0..=64_u32, compose).prop_map(
         |(ambient, background, index, depth, compose)| Environment { ambient, background, index, depth, compose },
@@ -108,7 +108,7 @@ fn material_ref() -> BoxedStrategy<MaterialRef> {
     .boxed()
 }
 
-pub fn shape() -> BoxedStrategy<Shape> {
+pub(crate) fn shape() -> BoxedStrategy<Shape> {
     let length = || number(1e-9, 100.0);
     let factor = || number(-10.0, 10.0).prop_map(|factor| if factor.abs() < 0.01 { 1.0 } else { factor });
     let scale = prop_oneof![factor().prop_map(DVec3::splat), [factor(), factor(), factor()].prop_map(DVec3::from)];
@@ -135,24 +135,24 @@ pub fn shape() -> BoxedStrategy<Shape> {
     .boxed()
 }
 
-pub fn object() -> BoxedStrategy<Object> {
+pub(crate) fn object() -> BoxedStrategy<Object> {
     (name(), material_ref(), any::<bool>(), shape())
         .prop_map(|(name, material, visible, shape)| Object { name, material, visible, shape })
         .boxed()
 }
 
-pub fn light() -> BoxedStrategy<PointLight> {
+pub(crate) fn light() -> BoxedStrategy<PointLight> {
     (name(), point(), prop_oneof![color(), Just(Rgb::WHITE)], any::<bool>())
         .prop_map(|(name, position, color, visible)| PointLight { name, position, color, visible })
         .boxed()
 }
 
-pub fn material() -> BoxedStrategy<Material> {
+pub(crate) fn material() -> BoxedStrategy<Material> {
     (name(), surface()).prop_map(|(name, surface)| Material { name, surface }).boxed()
 }
 
 /// A legal scene.
-pub fn scene() -> BoxedStrategy<Scene> {
+pub(crate) fn scene() -> BoxedStrategy<Scene> {
     let parts = (
         "[a-zé<&\"\\t\\n\\r ]{0,12}",
         environment(),
@@ -184,7 +184,7 @@ fn distinct<T>(items: Vec<T>, name: impl Fn(&T) -> &Name) -> Vec<T> {
 }
 
 /// The object with references that the materials satisfy.
-pub fn with_materials(mut object: Object, materials: &[Material]) -> Object {
+pub(crate) fn with_materials(mut object: Object, materials: &[Material]) -> Object {
     let satisfy = |reference: &mut MaterialRef| {
         if let Some(place) = reference.name() {
             let place = place.parse::<usize>().unwrap_or_default();
@@ -201,7 +201,7 @@ pub fn with_materials(mut object: Object, materials: &[Material]) -> Object {
     object
 }
 
-pub fn view() -> BoxedStrategy<View> {
+pub(crate) fn view() -> BoxedStrategy<View> {
     let screen = prop_oneof![
         (point(), point(), point()).prop_map(|(origin, u, v)| ScreenSpec::Frame(Screen { origin, u, v })),
         (point(), [number(1e-9, 10.0), number(1e-9, 10.0)], prop_oneof![Just(DVec3::Y), point()])
@@ -228,7 +228,7 @@ pub fn view() -> BoxedStrategy<View> {
         .boxed()
 }
 
-pub fn views() -> BoxedStrategy<Views> {
+pub(crate) fn views() -> BoxedStrategy<Views> {
     prop::collection::vec(view(), 0..4)
         .prop_map(|views| distinct(views, |view| &view.name).into_iter().collect())
         .boxed()

@@ -1,8 +1,9 @@
 //! Hidden surfaces and shadows (subject §1.1, §1.2): the nearest hit along a ray, and whether anything stands between
 //! a point and a lamp.
 
-use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere, lies_in_plane, lies_on_sphere};
+use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere};
 use crate::Ray;
+use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::{Body, Facets, Geometry, World};
 use glam::DVec3;
 
@@ -26,7 +27,8 @@ impl Hit {
 }
 
 impl World {
-    /// What the ray sees: the nearest hit, leaving out the very surface that it starts on (`start`).
+    /// What the ray sees: the nearest hit, leaving out the very surface that it starts on: that of the body `start`, or
+    /// for a primary ray every one that the eye lies on.
     pub(crate) fn nearest(&self, ray: &Ray, start: Option<u32>) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
         self.visit_hits(ray, start, f64::INFINITY, |hit| {
@@ -70,8 +72,10 @@ impl World {
 
     /// Gives `found` every hit up to the limit; `found` gives the new limit, a negative one to stop.
     fn visit_hits(&self, ray: &Ray, start: Option<u32>, mut limit: f64, mut found: impl FnMut(Hit) -> f64) {
+        let starts_on =
+            |number| start.map_or_else(|| may_start_on(self.body(number), ray.origin), |body| body == number);
         for &number in self.unbounded() {
-            limit = visit_body(self.body(number), number, ray, start == Some(number), limit, &mut found);
+            limit = visit_body(self.body(number), number, ray, starts_on(number), limit, &mut found);
             if limit < 0.0 {
                 return;
             }
@@ -79,8 +83,17 @@ impl World {
         let (hierarchy, bounded) = self.bounded();
         hierarchy.visit(ray, limit, |item, limit| {
             let number = bounded[item as usize];
-            visit_body(self.body(number), number, ray, start == Some(number), limit, &mut found)
+            visit_body(self.body(number), number, ray, starts_on(number), limit, &mut found)
         });
+    }
+}
+
+/// Whether an eye may lie on a body; of facets each is asked when it is hit.
+fn may_start_on(body: &Body, eye: DVec3) -> bool {
+    match &body.geometry {
+        Geometry::Sphere { center, radius } => lies_on_sphere(eye, *center, *radius),
+        Geometry::Plane { p0, p1, p2, .. } => lies_in_plane(eye, *p0, *p1, *p2),
+        Geometry::Facets(_) => true,
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::bounce::{keep_outside, reflect, refract};
 use super::compose::Sum;
-use super::intersect::roundings;
 use super::light;
 use super::surface_point::{Crossing, SurfacePoint};
 use crate::observe::{GlassPath, GlassTerm, LampState, LampTerm, MirrorTerm, Observer, Omitted, SeenRay, SeenSurface};
+use crate::precision::roundings;
 use crate::world::{Media, World};
 use crate::{Camera, Cancel, Channels, Ray, RayKind, Settings};
 use glam::DVec3;

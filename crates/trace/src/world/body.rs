@@ -3,6 +3,7 @@
 use super::facets::Facets;
 use super::hierarchy::Bounds;
 use super::{Surfaces, contains};
+use crate::precision::{lies_in_plane, lies_on_sphere};
 use glam::DVec3;
 use lancer_scene::{Enclosure, Name, Object, Shape, box_facets};
 
@@ -84,8 +85,12 @@ impl Body {
     pub(crate) fn contains(&self, point: DVec3) -> bool {
         match (&self.geometry, self.extent) {
             (_, Extent::Sheet) => false,
-            (Geometry::Sphere { center, radius }, _) => (point - *center).length() < *radius,
-            (Geometry::Plane { p0, normal, .. }, _) => normal.dot(point - *p0) < 0.0,
+            (Geometry::Sphere { center, radius }, _) => {
+                (point - *center).length() < *radius && !lies_on_sphere(point, *center, *radius)
+            }
+            (Geometry::Plane { p0, p1, p2, normal }, _) => {
+                normal.dot(point - *p0) < 0.0 && !lies_in_plane(point, *p0, *p1, *p2)
+            }
             (Geometry::Facets(facets), _) => {
                 facets.hierarchy().bounds().is_some_and(|bounds| bounds.contains(point))
                     && contains::closed(facets, point)

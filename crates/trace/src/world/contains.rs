@@ -1,6 +1,7 @@
 //! Whether a closed set of facets contains a point: the winding number, which needs no ray and so meets no edge.
 
 use super::Facets;
+use crate::precision::lies_in_plane;
 use glam::DVec3;
 
 /// Whether the facets go around the point. A point on a facet is outside.
@@ -10,11 +11,12 @@ use glam::DVec3;
 pub(crate) fn closed(facets: &Facets, point: DVec3) -> bool {
     let mut half_angles = 0.0;
     for number in 0..facets.len() {
-        let [a, b, c] = facets.corners(number).map(|corner| corner - point);
+        let [p0, p1, p2] = facets.corners(number);
+        let [a, b, c] = [p0 - point, p1 - point, p2 - point];
         let volume = a.dot(b.cross(c));
         let (la, lb, lc) = (a.length(), b.length(), c.length());
         let base = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-        if volume == 0.0 && base <= 0.0 {
+        if base <= 0.0 && lies_in_plane(point, p0, p1, p2) {
             return false; // the point lies on the facet
         }
         half_angles += libm::atan2(volume, base);

@@ -35,8 +35,6 @@ width and height are at least 1",
 
     /// Before an error.
     error_prefix() { "error:", "erreur :" }
-    /// Before a warning.
-    warning_prefix() { "warning:", "avertissement :" }
     /// Before the way out.
     help_prefix() { "help:", "aide :" }
     /// Between a complaint and its cause.

@@ -65,6 +65,9 @@ fn whole(document: &Document) -> Span {
 }
 
 fn patched_scene(document: &Document, old: &ReadScene<'_>, new: &Scene) -> String {
+    if old.scene == *new {
+        return document.text().to_owned();
+    }
     let mut splices = Splices::new(document);
     let root = document.root();
     let before = &old.scene;

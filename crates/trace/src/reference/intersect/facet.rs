@@ -1,6 +1,5 @@
 //! Ray and facet (subject §3.2): the plane's system, hit if `α ≥ 0`, `β ≥ 0`, `α+β ≤ 1`.
 
-use super::roundings;
 use crate::Ray;
 use glam::DVec3;
 
@@ -41,16 +40,6 @@ pub fn intersect_facet(ray: &Ray, p0: DVec3, p1: DVec3, p2: DVec3) -> Option<Fac
 /// every intermediate result and nothing else.
 fn edge(ray: &Ray, a: DVec3, b: DVec3) -> f64 {
     ray.direction.dot((a - b).cross(a + b))
-}
-
-/// Whether a point lies in the plane of a facet, as far as f64 can tell: the start of a ray was computed on a facet of
-/// the same object, so its coordinates carry a few roundings of the greatest coordinate that took part.
-///
-/// A ray meets the plane of a facet once. Where its start lies in that plane, the hit is the start itself, be it on the
-/// facet or on its neighbour across an edge; where the lamp at its end does, the hit is the lamp.
-pub fn lies_in_plane(point: DVec3, p0: DVec3, p1: DVec3, p2: DVec3) -> bool {
-    let (u, v) = (p1 - p0, p2 - p0);
-    (point - p0).dot(u.cross(v)).abs() <= roundings(&[point, p0, p1, p2]) * u.length() * v.length()
 }
 
 #[cfg(test)]

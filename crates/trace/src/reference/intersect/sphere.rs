@@ -1,6 +1,5 @@
 //! Ray and sphere (subject §3.1.1): `Δ = R² + (d·SC)² - |SC|²`, `t = (d·SC) ± √Δ`, the smallest positive `t`.
 
-use super::roundings;
 use crate::Ray;
 use glam::DVec3;
 
@@ -31,11 +30,6 @@ pub fn intersect_sphere(ray: &Ray, center: DVec3, radius: f64, start: Start) -> 
         }
         Start::Elsewhere => None,
     }
-}
-
-/// Whether a point lies on the sphere, as far as f64 can tell.
-pub fn lies_on_sphere(point: DVec3, center: DVec3, radius: f64) -> bool {
-    ((point - center).length() - radius).abs() <= roundings(&[point, center, DVec3::splat(radius)])
 }
 
 #[cfg(test)]
