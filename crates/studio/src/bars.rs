@@ -15,10 +15,8 @@ use std::path::Path;
 fn row(ui: &mut Ui, context: &Context<'_>, entry: Entry, actions: &mut Vec<Action>) {
     let wanted = entry.actions(context);
     let keys = entry.keys().first().map(|keys| words::keys(context.lang, &ui.ctx().format_shortcut(keys)));
-    let text = match entry {
-        Entry::Add(_) => entry.name(context.lang),
-        other => other.title(context),
-    };
+    let adds = matches!(entry, Entry::Add(_));
+    let text = if adds { entry.name(context.lang) } else { entry.title(context) };
     let checked = entry.checked(context);
     let sign = match checked {
         Some(true) => Some(icon::ICON_CHECK),

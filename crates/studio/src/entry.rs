@@ -221,6 +221,7 @@ impl Entry {
     }
 
     /// The name with what the entry is about just now: the step that would be undone.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "most entries are always called the same")]
     pub fn title(self, context: &Context<'_>) -> String {
         let (lang, history) = (context.lang, context.document.history());
         match self {
@@ -340,6 +341,7 @@ impl Entry {
     }
 
     /// Whether the entry is a switch, and its position.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "most entries are no switches")]
     pub fn checked(self, context: &Context<'_>) -> Option<bool> {
         let settings = context.settings;
         match self {
@@ -459,8 +461,11 @@ impl Entry {
 /// The entries of a menu, in groups.
 pub type Groups = &'static [&'static [Entry]];
 
+/// A name in each language.
+type Words = fn(Lang) -> String;
+
 /// The menus of the bar: their names, the letter that opens them with Alt, their entries.
-pub const MENUS: &[(fn(Lang) -> String, Menu, Groups)] = &[
+pub const MENUS: &[(Words, Menu, Groups)] = &[
     (
         words::file,
         Menu::File,

@@ -18,6 +18,7 @@ use std::sync::mpsc::{Receiver, channel};
 
 /// What a picture is made from.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 pub(crate) enum From {
     /// It is there.
     Picture(Picture),

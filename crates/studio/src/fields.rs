@@ -355,8 +355,11 @@ mod tests {
     use lancer_formats::xml::vocabulary::{self, ElementRule};
     use lancer_scene::{List, Material, MeshGeometry, Placement};
 
-    /// One item of every kind, and the elements that describe it.
-    fn stage() -> (Stage, Vec<(Item, Home, Vec<&'static ElementRule>)>) {
+    /// An item with its home and the elements that describe it.
+    type Described = (Item, Home, Vec<&'static ElementRule>);
+
+    /// One item of every kind.
+    fn stage() -> (Stage, Vec<Described>) {
         let shapes = [
             (Shape::Sphere { center: DVec3::ONE, radius: 2.0 }, &vocabulary::SPHERE),
             (Shape::Plane { p0: DVec3::ZERO, p1: DVec3::X, p2: DVec3::Y }, &vocabulary::PLANE),

@@ -198,7 +198,8 @@ fn keys(ui: &mut Ui, palette: &Palette, lang: Lang) {
 
 fn mouse(ui: &mut Ui, palette: &Palette, lang: Lang) {
     section(ui, palette, menu::in_a_view(lang));
-    let rows: [(fn(Lang) -> String, fn(Lang) -> String); 11] = [
+    type Words = fn(Lang) -> String;
+    let rows: [(Words, Words); 11] = [
         (menu::click, menu::click_does),
         (menu::shift_click, menu::shift_click_does),
         (menu::drag_selected, menu::drag_selected_does),

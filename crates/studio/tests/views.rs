@@ -1,4 +1,5 @@
 //! Views: every edit is seen in all of them, and what pointer and keys do in one.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
 mod window;
 

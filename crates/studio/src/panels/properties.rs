@@ -456,10 +456,8 @@ fn widget(
             widgets::channels(ui, id, *channels, &triple(speed), refused).map(Value::Channels)
         }
         Value::Choice(place) => {
-            let words: Vec<String> = match attribute.kind {
-                Kind::Choice(words) => words.iter().map(|word| (*word).to_owned()).collect(),
-                _ => Vec::new(),
-            };
+            let Kind::Choice(words) = attribute.kind else { return Change::Kept };
+            let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
             widgets::choice(ui, id, *place, &words, name).map(Value::Choice)
         }
         Value::Steps(steps) => widgets::steps(ui, *steps, lang).map(Value::Steps),

@@ -1,5 +1,11 @@
 //! A window without a display, and what tests do with it.
-#![allow(dead_code, clippy::unwrap_used, clippy::panic, reason = "helpers of tests; not every test needs each of them")]
+#![allow(
+    dead_code,
+    unreachable_pub,
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests; not every test needs each of them"
+)]
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -150,10 +156,8 @@ impl Window {
     }
 
     pub fn center(&self, name: &str) -> DVec3 {
-        match self.object(name).unwrap().shape {
-            Shape::Sphere { center, .. } => center,
-            _ => panic!("{name} is no sphere"),
-        }
+        let Shape::Sphere { center, .. } = self.object(name).unwrap().shape else { panic!("{name} is no sphere") };
+        center
     }
 
     pub fn eye(&self, name: &str) -> DVec3 {
