@@ -77,6 +77,10 @@ pub fn run(lang: Option<Lang>, open: Vec<PathBuf>) -> Result<(), String> {
     }));
     match panic::catch_unwind(AssertUnwindSafe(window)) {
         Ok(Ok(())) => Ok(()),
+        Ok(Err(eframe::Error::WinitEventLoop(_))) if first_missing().is_none() => {
+            let display = ["WAYLAND_DISPLAY", "DISPLAY"].iter().find_map(|name| std::env::var(name).ok());
+            Err(words::no_connection(spoken, display.unwrap_or_default()))
+        }
         Ok(Err(error)) => Err(why(spoken, &error.to_string())),
         Err(cause) if begun.load(Ordering::Relaxed) => panic::resume_unwind(cause),
         Err(cause) => {
@@ -91,10 +95,14 @@ fn of_locale() -> Lang {
     sys_locale::get_locale().map(|locale| Lang::of_locale(&locale)).unwrap_or_default()
 }
 
+/// The first library that is not there, with its package.
+fn first_missing() -> Option<&'static (&'static str, &'static str)> {
+    LIBRARIES.iter().find(|(library, _)| cfg!(target_os = "linux") && !is_installed(library))
+}
+
 /// Why there is no window: the library that is missing, else what the toolkit says.
 fn why(lang: Lang, cause: &str) -> String {
-    let missing = LIBRARIES.iter().find(|(library, _)| cfg!(target_os = "linux") && !is_installed(library));
-    match missing {
+    match first_missing() {
         Some((library, package)) => words::missing_library(lang, library, package),
         None => words::no_window(lang, cause.lines().next().unwrap_or_default().trim()),
     }

@@ -185,6 +185,11 @@ phrases! {
         "lancer-studio needs a graphical session, but neither DISPLAY nor WAYLAND_DISPLAY is set: start it from a desktop, or use the command line program lancer.",
         "lancer-studio a besoin d'une session graphique, mais ni DISPLAY ni WAYLAND_DISPLAY n'est défini : lancez-le depuis un bureau, ou utilisez le programme lancer en ligne de commande.",
     }
+    /// The display does not answer.
+    no_connection(display) {
+        "lancer-studio cannot reach the display {display}: check DISPLAY or WAYLAND_DISPLAY, or use the command line program lancer.",
+        "lancer-studio n'atteint pas l'écran {display} : vérifiez DISPLAY ou WAYLAND_DISPLAY, ou utilisez le programme lancer en ligne de commande.",
+    }
     /// The window cannot be opened.
     no_window(cause) {
         "lancer-studio cannot open a window with OpenGL: install the graphics driver or Mesa's software OpenGL, on Debian or Ubuntu with «apt install libgl1» ({cause}).",
