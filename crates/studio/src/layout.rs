@@ -48,10 +48,10 @@ impl Layout {
         Layout { tree: Tree::new_horizontal(id(), panes.collect()), detached: Vec::new() }
     }
 
-    /// Keeps the panes of views that exist; where none is left, the first two views are shown.
-    pub fn fitted(mut self, stage: &Stage) -> Layout {
-        self.prune(stage);
-        if self.is_empty() { Layout::of(stage) } else { self }
+    /// The layout if it is one of this document: every view that it shows exists. Else the first two views are shown.
+    pub fn fitted(self, stage: &Stage) -> Layout {
+        let exists = |name: &String| stage.views.iter().any(|view| *view.name == **name);
+        if !self.is_empty() && self.views().iter().all(exists) { self } else { Layout::of(stage) }
     }
 
     /// Takes out the panes of views that do not exist.
@@ -275,6 +275,7 @@ mod tests {
         assert_eq!(layout.views(), ["front", "b"]);
         layout.prune(&stage(&["front"]));
         assert_eq!(layout.views(), ["front"]);
-        assert_eq!(layout.fitted(&stage(&["x"])).views(), ["x"]);
+        assert_eq!(layout.clone().fitted(&stage(&["front", "x"])).views(), ["front"]);
+        assert_eq!(layout.fitted(&stage(&["x", "y", "z"])).views(), ["x", "y"]);
     }
 }

@@ -82,6 +82,22 @@ fn dragging_a_selected_object_moves_it_in_the_views_plane_as_one_step() {
     assert_eq!(window.center("red"), DVec3::new(-0.8, 0.5, 0.0));
 }
 
+/// The pointer need not rest on an object before the button goes down.
+#[test]
+fn a_quick_press_grabs_what_is_under_it() {
+    let mut window = window();
+    window.click("red");
+    let red = window.place("front", DVec3::new(-0.6, 0.7, 0.4));
+    window.event(Event::PointerMoved(red));
+    window.button(red, PointerButton::Primary, true, Modifiers::NONE);
+    for step in 1..=8 {
+        window.event(Event::PointerMoved(red + Vec2::new(8.0, 0.0) * step as f32));
+        window.wait();
+    }
+    window.drop_at(red + Vec2::new(64.0, 0.0), PointerButton::Primary);
+    assert_eq!(window.last_step(), "Move red");
+}
+
 #[test]
 fn a_held_axis_holds_and_escape_takes_the_drag_back() {
     let mut window = window();

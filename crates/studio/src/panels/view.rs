@@ -1,6 +1,6 @@
 //! A pane: the live picture of a view, what the pointer does in it, and the line below it.
 
-use crate::view::{self, LiveView, Mapping, Picker, Purpose, Scope};
+use crate::view::{self, Gesture, LiveView, Mapping, Picker, Purpose, Scope};
 use crate::{Action, Context, ViewAction};
 use egui::{Align2, FontId, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 use lancer_document::wireframe::Wireframes;
@@ -44,8 +44,8 @@ pub fn show(
     let mut actions = focus(ui, context, &response, live, view);
     actions.extend(view::follow(ui, &response, &scope, &mut live.gesture, &mut live.marking));
 
-    if let (Some(place), Some(world)) = (pointer, &world) {
-        ask(ui, &response, live, view, &mapping, place, world, tools.picker);
+    if let (Some((point, purpose)), Some(world)) = (question(ui, &response, live, &mapping, pointer), &world) {
+        tools.picker.ask(world, view, point, purpose);
     }
     if live.marking || live.gesture.is_some() && response.dragged_by(PointerButton::Primary) {
         ui.ctx().set_cursor_icon(if live.marking { egui::CursorIcon::Crosshair } else { egui::CursorIcon::Grabbing });
@@ -122,23 +122,23 @@ fn focus(ui: &Ui, context: &Context<'_>, response: &Response, live: &mut LiveVie
     news.then(|| Action::View(view.name.clone(), ViewAction::Focus)).into_iter().collect()
 }
 
-/// Asks what stands under the pointer where that is not known.
-#[expect(clippy::too_many_arguments, reason = "each of them is one thing that the question is made of")]
-fn ask(
+/// The point of the view that has to be asked about, and why.
+fn question(
     ui: &Ui,
     response: &Response,
     live: &LiveView,
-    view: &Arc<View>,
     mapping: &Mapping,
-    place: egui::Pos2,
-    world: &Arc<lancer_trace::World>,
-    picker: &Picker,
-) {
-    let point = mapping.to_view(place);
+    pointer: Option<egui::Pos2>,
+) -> Option<((f64, f64), Purpose)> {
+    let known = |point: (f64, f64)| live.under.as_ref().is_some_and(|answer| answer.point == point);
+    if let Some(Gesture::Undecided { from }) = live.gesture {
+        // what was pressed on decides what the drag does
+        return Some(mapping.to_view(from)).filter(|point| !known(*point)).map(|point| (point, Purpose::Hover));
+    }
+    let point = mapping.to_view(pointer?);
     if response.clicked() && live.gesture.is_none() {
         let modifiers = ui.input(|input| input.modifiers);
-        picker.ask(world, view, point, Purpose::Select { more: modifiers.shift || modifiers.command });
-    } else if live.under.as_ref().is_none_or(|answer| answer.point != point) && !response.dragged() {
-        picker.ask(world, view, point, Purpose::Hover);
+        return Some((point, Purpose::Select { more: modifiers.shift || modifiers.command }));
     }
+    (!known(point) && !response.dragged()).then_some((point, Purpose::Hover))
 }
