@@ -2,54 +2,46 @@
 
 use super::sink::Sink;
 use super::vocabulary::{ELEMENTS, ElementRule, TextRule, Times};
-use super::{Element, Excerpt, Guess, Node, StructureProblem};
+use super::{Element, Excerpt, Node, StructureProblem};
 
-/// The legal elements within an element; everything else there has been told.
-pub(super) struct Contents;
-
-impl Contents {
-    /// The legal elements within an element, in the order of the text, each with its rule.
-    pub(super) fn read<'d>(
-        element: Element<'d>,
-        rule: &'static ElementRule,
-        sink: &mut Sink<'d>,
-    ) -> Vec<(&'static ElementRule, Element<'d>)> {
-        let mut found: Vec<(&'static ElementRule, Element<'d>)> = Vec::new();
-        for node in element.children() {
-            match node {
-                Node::Element(child) => {
-                    let Some(known) = rule.children.iter().find(|known| known.rule.name == child.name()) else {
-                        unknown(child, rule, sink);
-                        continue;
-                    };
-                    let first = match known.times {
-                        Times::Any => None,
-                        Times::Once | Times::AtMostOnce => {
-                            found.iter().find(|(rule, _)| std::ptr::eq(*rule, known.rule))
-                        }
-                    };
-                    match first {
-                        None => found.push((known.rule, child)),
-                        Some((_, first)) => {
-                            let line = sink.line(first.span().start);
-                            let (name, parent) = (known.rule.name, rule.name);
-                            sink.error(child.name_span(), StructureProblem::SecondElement { name, parent, line });
-                        }
+/// The legal elements within an element, in the order of the text, each with its rule; everything else there is told.
+pub(super) fn contents<'d>(
+    element: Element<'d>,
+    rule: &'static ElementRule,
+    sink: &mut Sink<'d>,
+) -> Vec<(&'static ElementRule, Element<'d>)> {
+    let mut found = Vec::new();
+    // Of each element that may stand once, the first.
+    let mut first: Vec<Option<Element<'d>>> = vec![None; rule.children.len()];
+    for node in element.children() {
+        match node {
+            Node::Element(child) => {
+                let known = rule.children.iter().zip(&mut first).find(|(known, _)| known.rule.name == child.name());
+                match known {
+                    None => unknown(child, rule, sink),
+                    Some((known, Some(first))) if known.times != Times::Any => {
+                        let line = sink.line(first.span().start);
+                        let (name, parent) = (known.rule.name, rule.name);
+                        sink.error(child.name_span(), StructureProblem::SecondElement { name, parent, line });
+                    }
+                    Some((known, first)) => {
+                        *first = Some(child);
+                        found.push((known.rule, child));
                     }
                 }
-                Node::Text(text) if rule.text == TextRule::Nothing => {
-                    sink.error(text.trimmed_span(), StructureProblem::StrayText { parent: rule.name });
-                }
-                Node::Text(_) | Node::Comment(_) | Node::Instruction(_) => {}
             }
+            Node::Text(text) if rule.text == TextRule::Nothing => {
+                sink.error(text.trimmed_span(), StructureProblem::StrayText { parent: rule.name });
+            }
+            Node::Text(_) | Node::Comment(_) | Node::Instruction(_) => {}
         }
-        found
     }
+    found
+}
 
-    /// Nothing may stand within the element.
-    pub(super) fn none<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) {
-        Contents::read(element, rule, sink);
-    }
+/// No elements may stand within the element, and no text but what its rule says.
+pub(super) fn no_contents<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) {
+    contents(element, rule, sink);
 }
 
 /// An element that does not stand here.
@@ -62,7 +54,7 @@ fn unknown<'d>(child: Element<'d>, parent: &'static ElementRule, sink: &mut Sink
         None => StructureProblem::UnknownElement {
             name: Excerpt::new(name),
             parent: parent.name,
-            guess: Guess::among(name, legal.iter().copied()),
+            guess: sink.guess(name, legal.iter().copied()),
             legal,
         },
     };

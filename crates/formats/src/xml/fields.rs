@@ -1,10 +1,9 @@
 //! The attributes of one element, read by the vocabulary's table.
 
 use super::kind::Value;
-use super::nearest::nearest;
 use super::sink::Sink;
 use super::vocabulary::{AttributeRule, ElementRule, Presence};
-use super::{Element, Excerpt, Guess, StructureProblem, Written};
+use super::{Element, Excerpt, StructureProblem, Written};
 use crate::{Diagnostic, Span};
 use lancer_scene::{Color, DVec3, Invalid, Rgb, Steps};
 use std::borrow::Cow;
@@ -40,7 +39,7 @@ impl<'d> Fields<'d> {
         let mut fields = Fields { rule, element, values: Vec::with_capacity(rule.attributes.len()), sound: true };
         let mut seen = 0_u64;
         // The attributes that unknown ones were probably meant to be: they are not told to be missing too.
-        let mut meant: Vec<&str> = Vec::new();
+        let mut meant: Vec<Excerpt> = Vec::new();
         let takes = |attribute: &AttributeRule| match (attribute.presence, stands) {
             (Presence::AtRoot(_), stands) => stands == Stands::AtRoot,
             (Presence::Required(_), Stands::Inline) => false,
@@ -64,14 +63,10 @@ impl<'d> Fields<'d> {
                 _ => {
                     let legal: Vec<&'static str> =
                         rule.attributes.iter().filter(|known| takes(known)).map(|known| known.name).collect();
-                    let near = nearest(attribute.name, legal.iter().copied());
-                    meant.extend(near);
-                    let problem = StructureProblem::UnknownAttribute {
-                        name: Excerpt::new(attribute.name),
-                        element: rule.name,
-                        guess: Guess(near.map(Excerpt::new)),
-                        legal,
-                    };
+                    let guess = sink.guess(attribute.name, legal.iter().copied());
+                    meant.extend(guess.0.clone());
+                    let name = Excerpt::new(attribute.name);
+                    let problem = StructureProblem::UnknownAttribute { name, element: rule.name, guess, legal };
                     sink.error(attribute.name_span, problem);
                     fields.sound = false;
                 }
@@ -80,7 +75,7 @@ impl<'d> Fields<'d> {
         for (number, attribute) in rule.attributes.iter().enumerate() {
             if let Presence::Required(sample) | Presence::AtRoot(sample) = attribute.presence
                 && takes(attribute)
-                && !meant.contains(&attribute.name)
+                && !meant.iter().any(|meant| meant.as_ref() == attribute.name)
                 && seen & (1 << number) == 0
             {
                 let problem = StructureProblem::MissingAttribute { name: attribute.name, element: rule.name, sample };

@@ -1,6 +1,6 @@
 //! Reads the meshes of a scene document: inline lists of numbers, or a file that the document names.
 
-use super::contents::Contents;
+use super::contents::{contents, no_contents};
 use super::fields::{Fields, Stands};
 use super::read_scene::SceneReader;
 use super::sink::Sink;
@@ -135,7 +135,7 @@ fn inline<'d>(
 /// A run of facets with a material of its own.
 fn part<'d>(reader: &mut SceneReader<'d, '_, '_>, element: Element<'d>) -> Option<Part> {
     let fields = Fields::read(element, &PART, Stands::Within, reader.sink);
-    let inline = Contents::read(element, &PART, reader.sink).first().map(|(_, child)| *child);
+    let inline = contents(element, &PART, reader.sink).first().map(|(_, child)| *child);
     let material = reader.material_of(&fields, inline, &PART)?;
     let (first, count) = fields.run("facets")?;
     Some(Part { material, first, count })
@@ -144,7 +144,7 @@ fn part<'d>(reader: &mut SceneReader<'d, '_, '_>, element: Element<'d>) -> Optio
 /// The triples of an element's numbers. Comments may stand anywhere between them.
 fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) -> Option<Vec<DVec3>> {
     let sound = Fields::read(element, rule, Stands::Within, sink).are_sound();
-    Contents::none(element, rule, sink);
+    no_contents(element, rule, sink);
     let mut triples = Vec::new();
     let mut triple = Triple::default();
     for text in element.texts() {
@@ -167,7 +167,7 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
 /// The vertex numbers of an element by threes. `vertices` is how many there are, if that is known.
 fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d>) -> Option<Vec<[u32; 3]>> {
     let sound = Fields::read(element, &FACETS, Stands::Within, sink).are_sound();
-    Contents::none(element, &FACETS, sink);
+    no_contents(element, &FACETS, sink);
     let mut facets = Vec::new();
     let mut triple = Triple::default();
     let mut faults = 0;

@@ -1,13 +1,13 @@
 //! The reader of native scene documents: a scene, and everything that is wrong with the document.
 
-use super::contents::Contents;
+use super::contents::{contents, no_contents};
 use super::fields::{Fields, Stands};
 use super::naming::AutomaticNames;
 use super::read_mesh::{self, MeshElements};
 use super::root::{DocumentKind, check_root};
 use super::sink::Sink;
 use super::vocabulary::{ElementRule, LIGHT, MATERIAL, SCENE, WORLD};
-use super::{Document, Element, Excerpt, Guess, StructureProblem};
+use super::{Document, Element, Excerpt, StructureProblem};
 use crate::mesh::MeshFiles;
 use crate::{Outcome, Span};
 use lancer_scene::{
@@ -65,7 +65,7 @@ impl<'d> SceneReader<'d, '_, '_> {
         let mut materials = Vec::new();
         let mut lights = Vec::new();
         let mut objects = Vec::new();
-        for (rule, element) in Contents::read(root, &SCENE, reader.sink) {
+        for (rule, element) in contents(root, &SCENE, reader.sink) {
             match rule.name {
                 "world" => world = Some((element, reader.world(element))),
                 "material" => materials.push((element, reader.material(element))),
@@ -114,7 +114,7 @@ impl<'d> SceneReader<'d, '_, '_> {
 
     fn world(&mut self, element: Element<'d>) -> Option<Environment> {
         let fields = Fields::read(element, &WORLD, Stands::Within, self.sink);
-        Contents::none(element, &WORLD, self.sink);
+        no_contents(element, &WORLD, self.sink);
         let world = Environment {
             ambient: fields.color("ambient")?,
             background: fields.color("background")?,
@@ -128,7 +128,7 @@ impl<'d> SceneReader<'d, '_, '_> {
 
     fn material(&mut self, element: Element<'d>) -> Option<Material> {
         let fields = Fields::read(element, &MATERIAL, Stands::Within, self.sink);
-        Contents::none(element, &MATERIAL, self.sink);
+        no_contents(element, &MATERIAL, self.sink);
         let name = fields.text_of("name").map(|(name, span)| (Name::from(name), span));
         if let Some((name, span)) = &name {
             claim(&mut self.materials, name, *span, NameKind::Material, self.sink);
@@ -141,7 +141,7 @@ impl<'d> SceneReader<'d, '_, '_> {
     /// An inline material.
     fn inline(&mut self, element: Element<'d>) -> Option<Arc<Surface>> {
         let fields = Fields::read(element, &MATERIAL, Stands::Inline, self.sink);
-        Contents::none(element, &MATERIAL, self.sink);
+        no_contents(element, &MATERIAL, self.sink);
         let surface = surface(&fields)?;
         let rule = surface.check();
         fields.checked(Arc::new(surface), rule, self.sink)
@@ -149,7 +149,7 @@ impl<'d> SceneReader<'d, '_, '_> {
 
     fn light(&mut self, element: Element<'d>) -> Option<(Option<Name>, PointLight)> {
         let fields = Fields::read(element, &LIGHT, Stands::Within, self.sink);
-        Contents::none(element, &LIGHT, self.sink);
+        no_contents(element, &LIGHT, self.sink);
         let name = self.object_name(&fields);
         let light = PointLight {
             name: name.clone().unwrap_or_else(|| LIGHT.name.into()),
@@ -166,7 +166,7 @@ impl<'d> SceneReader<'d, '_, '_> {
         let name = self.object_name(&fields);
         let mut elements = MeshElements::default();
         let mut inline = None;
-        for (rule, child) in Contents::read(element, rule, self.sink) {
+        for (rule, child) in contents(element, rule, self.sink) {
             match rule.name {
                 "material" => inline = Some(child),
                 _ => elements.add(rule, child),
@@ -225,17 +225,14 @@ impl<'d> SceneReader<'d, '_, '_> {
 
     /// Every material that is named must exist.
     fn check_references(&mut self) {
-        // Each guess looks at every material; a document of nothing but unknown names must not take quadratic time.
-        const GUESSES: usize = 100;
         const LISTED: usize = 8;
         let mut known: Vec<(&Name, &Span)> = self.materials.iter().collect();
         known.sort_unstable_by_key(|(_, span)| span.start);
-        let unknown = self.references.iter().filter(|(name, _)| !self.materials.contains_key(name));
-        for (number, (name, span)) in unknown.enumerate() {
-            let guess = match number {
-                0..GUESSES => Guess::among(name, known.iter().map(|(name, _)| &***name)),
-                _ => Guess(None),
-            };
+        for (name, span) in self.references.iter().filter(|(name, _)| !self.materials.contains_key(name)) {
+            if self.sink.is_full() {
+                break;
+            }
+            let guess = self.sink.guess(name, known.iter().map(|(name, _)| &***name));
             let known = known.iter().take(LISTED).map(|(name, _)| Excerpt::new(name)).collect();
             self.sink.error(*span, StructureProblem::UnknownMaterial { name: Excerpt::new(name), guess, known });
         }

@@ -1,6 +1,6 @@
 //! The reader of native view documents: views, and everything that is wrong with the document.
 
-use super::contents::Contents;
+use super::contents::{contents, no_contents};
 use super::fields::{Fields, Stands};
 use super::naming::AutomaticNames;
 use super::read_scene::claim;
@@ -36,7 +36,7 @@ pub(super) fn read<'d>(document: &'d Document, sink: &mut Sink<'d>) -> Option<Re
         vec![(root, view(root, Stands::AtRoot, &mut names, sink))]
     } else {
         Fields::read(root, &VIEWS, Stands::AtRoot, sink);
-        let elements = Contents::read(root, &VIEWS, sink);
+        let elements = contents(root, &VIEWS, sink);
         if root.elements().next().is_none() {
             sink.warning(root.name_span(), StructureProblem::NoViews);
         }
@@ -65,7 +65,7 @@ fn view<'d>(
     }
     let name = name.map(|(name, _)| name);
     let (mut eye, mut screen) = (None, None);
-    for (rule, child) in Contents::read(element, &VIEW, sink) {
+    for (rule, child) in contents(element, &VIEW, sink) {
         match rule.name {
             "eye" => eye = Some(child),
             _ => screen = Some(child),
@@ -80,7 +80,7 @@ fn view<'d>(
         return None;
     };
     let eye_fields = Fields::read(eye, &EYE, Stands::Within, sink);
-    Contents::none(eye, &EYE, sink);
+    no_contents(eye, &EYE, sink);
     let at = eye_fields.point("at");
     let looks = eye.attribute("look-at").is_some();
     // The element that gives the screen, for what is wrong with the whole.
@@ -143,7 +143,7 @@ const FORMS: [&[(&str, Option<&str>)]; 3] = [
 /// The screen that an element gives, in one of three ways.
 fn screen_of<'d>(element: Element<'d>, sink: &mut Sink<'d>) -> (Fields<'d>, Option<ScreenSpec>) {
     let fields = Fields::read(element, &SCREEN, Stands::Within, sink);
-    Contents::none(element, &SCREEN, sink);
+    no_contents(element, &SCREEN, sink);
     let known = |name: &str| SCREEN.attribute(name).is_some();
     let Some(first) = element.attributes().find(|attribute| known(attribute.name)) else {
         if fields.are_sound() {

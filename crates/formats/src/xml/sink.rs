@@ -1,11 +1,13 @@
 //! Where a reader puts what it finds wrong, so that all errors of a document are told at once.
 
-use super::{Document, StructureProblem};
+use super::{Document, Guess, StructureProblem};
 use crate::{Diagnostic, Lines, Outcome, Problem, Severity, Span};
 use std::cell::OnceCell;
 
 /// No more problems than this are kept: a document can hold millions.
 const MOST: usize = 10_000;
+/// Unknown words get a guess until there are this many problems.
+const MOST_GUESSES: usize = 1000;
 
 /// The problems found so far.
 #[derive(Debug)]
@@ -41,6 +43,21 @@ impl<'d> Sink<'d> {
     /// The value, or `None` and its fault among the problems.
     pub(crate) fn keep<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Option<T> {
         result.map_err(|fault| self.push(*fault)).ok()
+    }
+
+    /// Whether further problems are not kept, so that nothing need be found out about them.
+    pub(super) fn is_full(&self) -> bool {
+        self.diagnostics.len() > MOST
+    }
+
+    /// What an unknown word was probably meant to be. Guesses take their time: hostile documents get only so many.
+    pub(crate) fn guess<'a>(&self, found: &str, legal: impl IntoIterator<Item = &'a str>) -> Guess {
+        const COMPARED: usize = 1000;
+        if self.diagnostics.len() < MOST_GUESSES {
+            Guess::among(found, legal.into_iter().take(COMPARED))
+        } else {
+            Guess(None)
+        }
     }
 
     /// The line of an offset, from 1.
