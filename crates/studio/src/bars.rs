@@ -1,7 +1,9 @@
 //! The menu bar, the tool bar and the status bar.
 
 use crate::chrome::{icon_button, named};
-use crate::entry::{Entry, Groups, Kind, MENUS, Menu};
+use crate::entry::Entry;
+use crate::kind::Kind;
+use crate::menus::{Groups, MENUS, Menu};
 use crate::panels::outliner::summary;
 use crate::view::LiveView;
 use crate::{Action, Context, FileAction, ViewAction, WindowAction};

@@ -2,15 +2,15 @@
 //! asks for.
 
 use crate::context::Context;
+use crate::kind::Kind;
+use crate::menus::MENUS;
 use crate::{Action, FileAction, Tab, ViewAction, WindowAction};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons as icon;
-use lancer_document::insert::NewItem;
 use lancer_document::navigate::Side;
 use lancer_document::{Command, Item, Selection, arrange};
 use lancer_formats::picture::Format;
-use lancer_scene::Surface;
 use lancer_words::{Lang, studio::app, studio::menu as words};
 
 /// Something that a menu, a button or a key does.
@@ -98,73 +98,6 @@ pub enum Entry {
     Shortcuts,
     /// What the program is.
     About,
-}
-
-/// What the menu can add.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// A sphere.
-    Sphere,
-    /// A plane.
-    Plane,
-    /// A cube.
-    Cube,
-    /// A box.
-    Parallelepiped,
-    /// A facet.
-    Facet,
-    /// A mesh from a file.
-    Mesh,
-    /// A lamp.
-    Light,
-    /// A material.
-    Material,
-    /// A view.
-    View,
-}
-
-impl Kind {
-    /// Every kind in the order of the menu.
-    pub const ALL: [Kind; 9] = [
-        Kind::Sphere,
-        Kind::Plane,
-        Kind::Cube,
-        Kind::Parallelepiped,
-        Kind::Facet,
-        Kind::Mesh,
-        Kind::Light,
-        Kind::Material,
-        Kind::View,
-    ];
-
-    fn words(self) -> (fn(Lang) -> String, MaterialIcon) {
-        match self {
-            Kind::Sphere => (words::sphere, icon::ICON_CIRCLE),
-            Kind::Plane => (words::plane, icon::ICON_CROP_LANDSCAPE),
-            Kind::Cube => (words::cube, icon::ICON_DEPLOYED_CODE),
-            Kind::Parallelepiped => (words::parallelepiped, icon::ICON_VIEW_IN_AR),
-            Kind::Facet => (words::facet, icon::ICON_CHANGE_HISTORY),
-            Kind::Mesh => (words::mesh, icon::ICON_POLYLINE),
-            Kind::Light => (words::light, icon::ICON_LIGHTBULB),
-            Kind::Material => (words::material, icon::ICON_PALETTE),
-            Kind::View => (words::new_view, icon::ICON_VIDEOCAM),
-        }
-    }
-
-    /// What the document adds; `None` for a mesh, whose file is asked for first.
-    fn item(self, context: &Context<'_>) -> Option<NewItem> {
-        Some(match self {
-            Kind::Sphere => NewItem::Sphere,
-            Kind::Plane => NewItem::Plane,
-            Kind::Cube => NewItem::Cube,
-            Kind::Parallelepiped => NewItem::Parallelepiped,
-            Kind::Facet => NewItem::Facet,
-            Kind::Mesh => return None,
-            Kind::Light => NewItem::Light,
-            Kind::Material => NewItem::Material { stem: String::new(), surface: Surface::default() },
-            Kind::View => NewItem::View(context.active_view().map(|view| view.as_ref().clone())),
-        })
-    }
 }
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -456,92 +389,6 @@ impl Entry {
             .copied()
             .filter(|entry| !entry.keys().is_empty())
     }
-}
-
-/// The entries of a menu, in groups.
-pub type Groups = &'static [&'static [Entry]];
-
-/// A name in each language.
-type Words = fn(Lang) -> String;
-
-/// The menus of the bar: their names, the letter that opens them with Alt, their entries.
-pub const MENUS: &[(Words, Menu, Groups)] = &[
-    (
-        words::file,
-        Menu::File,
-        &[
-            &[Entry::New, Entry::Open],
-            &[Entry::Save, Entry::SaveAs],
-            &[Entry::LoadViews, Entry::SaveViews, Entry::SaveViewsAs],
-            &[Entry::SavePicture],
-            &[Entry::Quit],
-        ],
-    ),
-    (
-        words::edit,
-        Menu::Edit,
-        &[
-            &[Entry::Undo, Entry::Redo],
-            &[Entry::Duplicate, Entry::Delete, Entry::Rename, Entry::ToggleVisible],
-            &[Entry::SelectAll, Entry::SelectNone],
-        ],
-    ),
-    (
-        words::add,
-        Menu::Add,
-        &[
-            &[
-                Entry::Add(Kind::Sphere),
-                Entry::Add(Kind::Plane),
-                Entry::Add(Kind::Cube),
-                Entry::Add(Kind::Parallelepiped),
-                Entry::Add(Kind::Facet),
-                Entry::Add(Kind::Mesh),
-            ],
-            &[Entry::Add(Kind::Light), Entry::Add(Kind::Material), Entry::Add(Kind::View)],
-        ],
-    ),
-    (
-        words::view,
-        Menu::View,
-        &[
-            &[Entry::SplitRight, Entry::SplitBelow, Entry::Detach, Entry::CloseView, Entry::NextView],
-            &[
-                Entry::Look(Side::Front),
-                Entry::Look(Side::Back),
-                Entry::Look(Side::Right),
-                Entry::Look(Side::Left),
-                Entry::Look(Side::Top),
-                Entry::Look(Side::Bottom),
-            ],
-            &[Entry::Frame, Entry::Grid, Entry::Fit],
-            &[Entry::Outliner, Entry::Properties, Entry::Tabs],
-            &[Entry::ZoomIn, Entry::ZoomOut, Entry::ZoomReset, Entry::ResetLayout],
-        ],
-    ),
-    (
-        words::render,
-        Menu::Render,
-        &[&[Entry::Pause, Entry::Restart, Entry::NoRegion], &[Entry::CopyPicture, Entry::SavePicture]],
-    ),
-    (words::help, Menu::Help, &[&[Entry::Shortcuts, Entry::About]]),
-];
-
-/// The menus of the bar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Menu {
-    /// Files.
-    File,
-    /// The document.
-    Edit,
-    /// New things.
-    Add,
-    /// Views and panels.
-    View,
-    /// Pictures.
-    Render,
-    /// Help.
-    Help,
 }
 
 /// What the keys that were pressed ask for; they are taken out of the input.

@@ -1,23 +1,20 @@
 //! Files: what is asked, what is read and written, and what goes on after an answer.
 
 use crate::app::Studio;
-use crate::dialogs::{Browser, Reply, Request};
-use crate::export::From;
+use crate::dialogs::{Browser, Reply};
 use crate::modals::{self, Modal};
+use crate::questions::Question;
 use crate::reading::{Purpose, Read, Reading};
 use crate::report::Report;
 use crate::theme::Palette;
 use crate::toasts::Toast;
 use crate::writing::{What, Writing, Written};
 use crate::{FileAction, Tab, told};
-use egui::ColorImage;
 use lancer_document::open::{Content, MESH_EXTENSIONS, OnDisk, OpenError, ViewsFile, Warnings, views_beside};
 use lancer_document::{Document, StepName};
 use lancer_formats::load::LoadOptions;
-use lancer_formats::picture::Format;
 use lancer_formats::save::SceneFormat;
 use lancer_formats::{Describe, Severity};
-use lancer_scene::Name;
 use lancer_words::{number, studio::app as words};
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -37,22 +34,10 @@ pub(crate) enum After {
     Open(Option<PathBuf>),
 }
 
-/// What a dialog was opened for.
-#[derive(Clone, Debug)]
-enum Question {
-    Open,
-    Save,
-    LoadViews,
-    SaveViews,
-    Mesh,
-    Picture(Name, Format),
-    Text { name: String, text: String },
-}
-
 /// What is asked, read and written just now.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    question: Option<Question>,
+    pub(crate) question: Option<Question>,
     reading: Option<Reading>,
     /// Files to read after that one.
     waiting: VecDeque<(PathBuf, Purpose)>,
@@ -97,59 +82,6 @@ impl Studio {
             self.read_next(ctx);
         }
         self.take_written(ctx);
-    }
-
-    /// Asks for a file.
-    fn ask(&mut self, question: Question) {
-        self.dialogs.ask(&self.request(&question));
-        self.model.files.question = Some(question);
-    }
-
-    fn request(&self, question: &Question) -> Request {
-        let lang = self.model.lang;
-        let kind =
-            |name: String, extensions: &[&str]| (name, extensions.iter().map(|e| (*e).to_owned()).collect::<Vec<_>>());
-        let file = self.model.document.scene_file().map(|file| file.path.as_path());
-        let stem = file.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
-        let stem = stem.unwrap_or_else(|| "scene".to_owned());
-        let none = String::new();
-        let xml_first = || vec![kind(words::xml_scenes(lang), &["xml"]), kind(words::binary_scenes(lang), &["lancer"])];
-        let (title, save, name, filters) = match question {
-            Question::Open => {
-                let mut every = vec!["xml", "lancer"];
-                every.extend(MESH_EXTENSIONS);
-                (words::open_title(lang), false, none, vec![kind(words::scenes(lang), &every)])
-            }
-            Question::Save => {
-                let mut filters = xml_first();
-                if file.and_then(Path::extension).is_some_and(|extension| extension == "lancer") {
-                    filters.reverse();
-                }
-                let extension = filters.first().and_then(|(_, known)| known.first()).cloned().unwrap_or_default();
-                (words::save_title(lang), true, format!("{stem}.{extension}"), filters)
-            }
-            Question::LoadViews => {
-                (words::load_views_title(lang), false, none, vec![kind(words::view_documents(lang), &["xml"])])
-            }
-            Question::SaveViews => {
-                let name = format!("{stem}.view.xml");
-                (words::save_views_title(lang), true, name, vec![kind(words::view_documents(lang), &["xml"])])
-            }
-            Question::Mesh => {
-                (words::add_mesh_title(lang), false, none, vec![kind(words::meshes(lang), &MESH_EXTENSIONS)])
-            }
-            Question::Picture(view, format) => {
-                let extension = extension(*format);
-                let name = format!("{stem}-{view}.{extension}");
-                (words::save_picture_title(lang, view), true, name, vec![kind(words::pictures(lang), &[extension])])
-            }
-            Question::Text { name, .. } => {
-                let extension = Path::new(name).extension().map(|e| e.to_string_lossy().into_owned());
-                let filter = kind(words::texts(lang), &[extension.as_deref().unwrap_or("txt")]);
-                (words::save_text_title(lang), true, name.clone(), vec![filter])
-            }
-        };
-        Request { title, save, folder: self.model.settings.folder.clone(), name, filters }
     }
 
     /// Goes on with a file that was chosen.
@@ -475,46 +407,6 @@ impl Studio {
         {
             self.go_on(ctx, after);
         }
-    }
-
-    /// Asks where a picture goes.
-    pub(crate) fn ask_for_picture(&mut self, view: &Name, format: Format) {
-        self.ask(Question::Picture(view.clone(), format));
-    }
-
-    /// Writes the picture of a view at the view's own size: the one that is shown where it is that picture and finished,
-    /// else one that is rendered for it.
-    fn export(&mut self, ctx: &egui::Context, path: PathBuf, name: &str, format: Format) {
-        let stage = self.model.document.stage();
-        let Some(view) = stage.views.iter().find(|view| &*view.name == name) else { return };
-        let format = Format::of_path(&path, format == Format::RawPpm).unwrap_or(format);
-        let shown = self.panes.live.get(name).filter(|live| !format.is_linear() && live.view() == Some(&**view));
-        let from = match shown.and_then(|live| live.session().image().picture()) {
-            Some(picture) => From::Picture(picture),
-            None => From::Render { scene: stage.scene.clone(), view: (**view).clone() },
-        };
-        self.exports.begin(ctx, path, format, from);
-    }
-
-    /// Puts the picture of a view on the clipboard, as it is shown.
-    pub(crate) fn copy_picture(&mut self, ctx: &egui::Context, name: &str) {
-        let Some(live) = self.panes.live.get(name) else { return };
-        let image = live.session().image();
-        let size = [image.width() as usize, image.height() as usize];
-        ctx.copy_image(ColorImage::from_rgb(size, image.bytes().as_flattened()));
-        self.toasts.say(Toast::done(words::copied(self.model.lang)));
-    }
-}
-
-/// The extension of a format.
-fn extension(format: Format) -> &'static str {
-    match format {
-        Format::PlainPpm | Format::RawPpm => "ppm",
-        Format::Png => "png",
-        Format::Qoi => "qoi",
-        Format::Bmp => "bmp",
-        Format::Tiff => "tiff",
-        Format::Exr => "exr",
     }
 }
 

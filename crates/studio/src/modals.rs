@@ -2,8 +2,9 @@
 
 use crate::app::Studio;
 use crate::dialogs::Reply;
-use crate::entry::{Entry, MENUS};
+use crate::entry::Entry;
 use crate::files::After;
+use crate::menus::MENUS;
 use crate::theme::Palette;
 use egui::{Align, Button, Grid, Id, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
 use lancer_document::Document;
