@@ -262,7 +262,7 @@ impl Studio {
         }
         if settings.properties {
             let panel =
-                Panel::right("properties").frame(side).resizable(true).default_size(276.0).size_range(220.0..=520.0);
+                Panel::right("properties").frame(side).resizable(true).default_size(300.0).size_range(220.0..=520.0);
             let name = words::properties(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::properties::show)).inner);
         }

@@ -135,7 +135,7 @@ impl Browser {
                         let sign = if row.is_folder { icon::ICON_FOLDER } else { icon::ICON_DRAFT };
                         let chosen = !row.is_folder && row.name == self.name;
                         let button = Button::selectable(chosen, (sign.rich_text().color(palette.weak), &row.name));
-                        let response = ui.add_sized([ui.available_width(), 22.0], button.truncate());
+                        let response = ui.add(button.truncate().min_size(egui::vec2(ui.available_width(), 22.0)));
                         if response.clicked() {
                             if row.is_folder {
                                 folder = Some(self.folder.join(&row.name));
