@@ -8,12 +8,14 @@ use std::path::{Path, PathBuf};
 const LINES: usize = 600;
 
 /// The crates that each crate may use (ARCHITECTURE.md); cargo refuses cycles, this refuses new arrows.
-const ARROWS: [(&str, &[&str]); 6] = [
+const ARROWS: [(&str, &[&str]); 8] = [
     ("words", &[]),
     ("scene", &[]),
     ("formats", &["scene", "words"]),
     ("trace", &["scene"]),
     ("render", &["scene", "trace"]),
+    ("document", &["words", "scene", "formats", "trace"]),
+    ("studio", &["words", "scene", "formats", "trace", "render", "document"]),
     ("cli", &["words", "scene", "formats", "trace", "render"]),
 ];
 

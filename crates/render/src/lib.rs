@@ -6,10 +6,15 @@
 
 mod error;
 mod film;
+pub mod live;
+mod pass;
+pub mod schedule;
 mod still;
 mod tile;
 
 pub use error::{PixelFault, RenderError};
 pub use film::Film;
+pub use pass::Pass;
+pub use schedule::Unit;
 pub use still::{RenderOptions, Still, render_still};
 pub use tile::{Region, Tile, tiles};

@@ -26,6 +26,19 @@ impl Region {
         fits(self.x, self.width, width) && fits(self.y, self.height, height)
     }
 
+    /// Whether the pixel lies in the region.
+    pub fn contains(&self, x: u32, y: u32) -> bool {
+        x.checked_sub(self.x).is_some_and(|x| x < self.width) && y.checked_sub(self.y).is_some_and(|y| y < self.height)
+    }
+
+    /// Whether the regions have a pixel in common.
+    pub fn meets(&self, other: &Region) -> bool {
+        let overlap = |a: u32, la: u32, b: u32, lb: u32| {
+            u64::from(a) < u64::from(b) + u64::from(lb) && u64::from(b) < u64::from(a) + u64::from(la)
+        };
+        overlap(self.x, self.width, other.x, other.width) && overlap(self.y, self.height, other.y, other.height)
+    }
+
     /// How many pixels the region has.
     pub fn pixels(&self) -> u64 {
         u64::from(self.width) * u64::from(self.height)

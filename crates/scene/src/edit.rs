@@ -81,38 +81,41 @@ pub enum EditError {
     },
 }
 
-impl<T: PartialEq> ListEdit<T> {
-    /// The list after the edit, and the edit that takes it back.
-    fn apply(&self, list: &List<T>) -> Result<(List<T>, ListEdit<T>), EditError> {
+impl<T> ListEdit<T> {
+    /// Edits the list and gives the edit that takes it back. On an error the list is as it was.
+    fn apply(&self, list: &mut List<T>) -> Result<ListEdit<T>, EditError> {
         let len = list.len();
-        let existing = |index: usize| {
-            list.get(index).cloned().ok_or(EditError::NoSuchItem { index, len }).map(|item| (index, item))
-        };
-        Ok(match self {
+        let existing = |index: usize| list.get(index).cloned().ok_or(EditError::NoSuchItem { index, len });
+        match self {
             ListEdit::Set { index, item } => {
-                let (index, old) = existing(*index)?;
-                (list.with(|items| items[index] = Arc::clone(item)), ListEdit::Set { index, item: old })
+                let (index, old) = (*index, existing(*index)?);
+                list.change(|items| items[index] = Arc::clone(item));
+                Ok(ListEdit::Set { index, item: old })
             }
             ListEdit::Insert { index, item } => {
                 let index = *index;
                 if index > len {
                     return Err(EditError::NoSuchItem { index, len });
                 }
-                (list.with(|items| items.insert(index, Arc::clone(item))), ListEdit::Remove { index })
+                list.change(|items| items.insert(index, Arc::clone(item)));
+                Ok(ListEdit::Remove { index })
             }
             ListEdit::Remove { index } => {
-                let (index, item) = existing(*index)?;
-                (list.with(|items| drop(items.remove(index))), ListEdit::Insert { index, item })
+                let (index, item) = (*index, existing(*index)?);
+                list.change(|items| drop(items.remove(index)));
+                Ok(ListEdit::Insert { index, item })
             }
             ListEdit::Move { from, to } => {
-                let ((from, _), (to, _)) = (existing(*from)?, existing(*to)?);
-                let moved = list.with(|items| {
+                let (from, to) = (*from, *to);
+                existing(from)?;
+                existing(to)?;
+                list.change(|items| {
                     let item = items.remove(from);
                     items.insert(to, item);
                 });
-                (moved, ListEdit::Move { from: to, to: from })
+                Ok(ListEdit::Move { from: to, to: from })
             }
-        })
+        }
     }
 
     /// The item that the edit brings in, and the place of the one that it replaces.
@@ -132,76 +135,93 @@ impl Stage {
     /// The place that does not exist or the rule that the result would break.
     pub fn apply(&self, edit: &Edit) -> Result<(Stage, Edit), EditError> {
         let mut next = self.clone();
-        let scene = &self.scene;
-        let inverse = match edit {
-            Edit::Title(name) => Edit::Title(std::mem::replace(&mut next.scene.name, name.clone())),
+        let inverse = next.change(edit)?;
+        Ok((next, inverse))
+    }
+
+    /// Edits the stage and gives the edit that takes it back. After an error, a part of a batch may have been made.
+    ///
+    /// What an item keeps of the one that it replaces is not checked again: its name, the geometry of a mesh. So a drag
+    /// of many objects or of a large one costs what it changes.
+    fn change(&mut self, edit: &Edit) -> Result<Edit, EditError> {
+        let scene = &mut self.scene;
+        Ok(match edit {
+            Edit::Title(name) => Edit::Title(std::mem::replace(&mut scene.name, name.clone())),
             Edit::World(world) => {
                 world.check()?;
-                Edit::World(std::mem::replace(&mut next.scene.world, world.clone()))
+                Edit::World(std::mem::replace(&mut scene.world, world.clone()))
             }
             Edit::Materials(change) => {
                 if let Some((material, replaced)) = change.incoming() {
                     material.check()?;
-                    let names = scene.materials.iter().map(|item| &item.name);
-                    free(&material.name, names, replaced, NameKind::Material)?;
-                }
-                let (materials, inverse) = change.apply(&scene.materials)?;
-                match change {
-                    ListEdit::Set { index, item } => {
-                        next.scene.objects = renamed(&scene.objects, &scene.materials[*index].name, &item.name);
+                    let kept = replaced.and_then(|index| scene.materials.get(index));
+                    if kept.is_none_or(|kept| kept.name != material.name) {
+                        let names = scene.materials.iter().map(|item| &item.name);
+                        free(&material.name, names, replaced, NameKind::Material)?;
                     }
-                    ListEdit::Remove { index } => unused(&scene.objects, &scene.materials[*index].name)?,
-                    ListEdit::Insert { .. } | ListEdit::Move { .. } => {}
                 }
-                next.scene.materials = materials;
+                if let ListEdit::Remove { index } = change
+                    && let Some(material) = scene.materials.get(*index)
+                {
+                    unused(&scene.objects, &material.name)?;
+                }
+                let inverse = change.apply(&mut scene.materials)?;
+                if let (ListEdit::Set { item: new, .. }, ListEdit::Set { item: old, .. }) = (change, &inverse) {
+                    scene.objects = renamed(&scene.objects, &old.name, &new.name);
+                }
                 Edit::Materials(inverse)
             }
             Edit::Lights(change) => {
                 if let Some((light, replaced)) = change.incoming() {
                     light.check()?;
-                    free(&light.name, scene.lights.iter().map(|item| &item.name), replaced, NameKind::ObjectOrLight)?;
-                    free(&light.name, scene.objects.iter().map(|item| &item.name), None, NameKind::ObjectOrLight)?;
+                    let kept = replaced.and_then(|index| scene.lights.get(index));
+                    if kept.is_none_or(|kept| kept.name != light.name) {
+                        let kind = NameKind::ObjectOrLight;
+                        free(&light.name, scene.lights.iter().map(|item| &item.name), replaced, kind)?;
+                        free(&light.name, scene.objects.iter().map(|item| &item.name), None, kind)?;
+                    }
                 }
-                let (lights, inverse) = change.apply(&scene.lights)?;
-                next.scene.lights = lights;
-                Edit::Lights(inverse)
+                Edit::Lights(change.apply(&mut scene.lights)?)
             }
             Edit::Objects(change) => {
                 if let Some((object, replaced)) = change.incoming() {
-                    object.check()?;
-                    free(&object.name, scene.objects.iter().map(|item| &item.name), replaced, NameKind::ObjectOrLight)?;
-                    free(&object.name, scene.lights.iter().map(|item| &item.name), None, NameKind::ObjectOrLight)?;
+                    let kept = replaced.and_then(|index| scene.objects.get(index));
+                    let geometries = (kept.and_then(|kept| kept.shape.geometry()), object.shape.geometry());
+                    if let (Some(kept), Some(new)) = geometries
+                        && Arc::ptr_eq(kept, new)
+                    {
+                        object.check_instance()?;
+                    } else {
+                        object.check()?;
+                    }
+                    if kept.is_none_or(|kept| kept.name != object.name) {
+                        let kind = NameKind::ObjectOrLight;
+                        free(&object.name, scene.objects.iter().map(|item| &item.name), replaced, kind)?;
+                        free(&object.name, scene.lights.iter().map(|item| &item.name), None, kind)?;
+                    }
                     for name in object.material_refs().filter_map(MaterialRef::name) {
                         if scene.material(name).is_none() {
                             return Err(Invalid::UnknownMaterial { name: name.clone() }.into());
                         }
                     }
                 }
-                let (objects, inverse) = change.apply(&scene.objects)?;
-                next.scene.objects = objects;
-                Edit::Objects(inverse)
+                Edit::Objects(change.apply(&mut scene.objects)?)
             }
             Edit::Views(change) => {
                 if let Some((view, replaced)) = change.incoming() {
                     view.check()?;
-                    free(&view.name, self.views.iter().map(|item| &item.name), replaced, NameKind::View)?;
+                    let kept = replaced.and_then(|index| self.views.get(index));
+                    if kept.is_none_or(|kept| kept.name != view.name) {
+                        free(&view.name, self.views.iter().map(|item| &item.name), replaced, NameKind::View)?;
+                    }
                 }
-                let (views, inverse) = change.apply(&self.views)?;
-                next.views = views;
-                Edit::Views(inverse)
+                Edit::Views(change.apply(&mut self.views)?)
             }
             Edit::Batch(edits) => {
-                let mut inverses = Vec::with_capacity(edits.len());
-                for edit in edits {
-                    let (stage, inverse) = next.apply(edit)?;
-                    next = stage;
-                    inverses.push(inverse);
-                }
-                inverses.reverse();
-                Edit::Batch(inverses)
+                let inverses = edits.iter().map(|edit| self.change(edit)).collect::<Result<Vec<Edit>, EditError>>();
+                Edit::Batch(inverses?.into_iter().rev().collect())
             }
-        };
-        Ok((next, inverse))
+        })
     }
 }
 

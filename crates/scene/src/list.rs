@@ -16,6 +16,11 @@ impl<T> List<T> {
         List(Arc::new(items))
     }
 
+    /// Makes `change` to the backbone, which is copied first if it is shared.
+    pub(crate) fn change(&mut self, change: impl FnOnce(&mut Vec<Arc<T>>)) {
+        change(Arc::make_mut(&mut self.0));
+    }
+
     /// Whether both lists are the same in memory, item by item: what an update need not look at again.
     pub fn same_items(&self, other: &List<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
@@ -37,7 +42,8 @@ impl<T> Default for List<T> {
 
 impl<T: PartialEq> PartialEq for List<T> {
     fn eq(&self, other: &List<T>) -> bool {
-        self.same_items(other) || self.0 == other.0
+        // what is shared is equal: only what changed is looked into
+        self.len() == other.len() && self.iter().zip(other.iter()).all(|(a, b)| Arc::ptr_eq(a, b) || a == b)
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A mesh as it stands in a scene: shared geometry and a placement.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Mesh {
     /// Vertices and facets, shared by every snapshot and every instance.
     pub geometry: Arc<MeshGeometry>,
@@ -16,6 +16,16 @@ pub struct Mesh {
     pub placement: Placement,
     /// Whether lamp terms and mirrored rays use smooth normals.
     pub smooth: bool,
+}
+
+/// Shared geometry is not looked into, so that a large mesh can be moved without comparing its vertices.
+impl PartialEq for Mesh {
+    fn eq(&self, other: &Mesh) -> bool {
+        self.placement == other.placement
+            && self.smooth == other.smooth
+            && self.source == other.source
+            && (Arc::ptr_eq(&self.geometry, &other.geometry) || self.geometry == other.geometry)
+    }
 }
 
 /// Vertices and facets.

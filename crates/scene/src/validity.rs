@@ -214,7 +214,7 @@ impl Object {
     }
 
     /// Checks all but a mesh's geometry, which objects may share.
-    fn check_instance(&self) -> Result<(), Invalid> {
+    pub(crate) fn check_instance(&self) -> Result<(), Invalid> {
         name(&self.name)?;
         self.material.check()?;
         self.shape.check_instance()

@@ -29,6 +29,11 @@ impl Camera {
         self.eye
     }
 
+    /// The screen that the eye looks through.
+    pub fn screen(&self) -> &Screen {
+        &self.screen
+    }
+
     /// Pixels per row.
     pub fn width(&self) -> u32 {
         self.width
@@ -90,6 +95,16 @@ mod tests {
         near(camera(1).ray(100.5, 50.5).direction, DVec3::NEG_Z);
         // the book's screen faces the other way along x
         near(camera(1).ray(0.5, 0.5).direction, DVec3::new(-0.66519, 0.33259, -0.66851));
+    }
+
+    #[test]
+    fn a_point_on_a_ray_is_projected_to_the_rays_pixel() {
+        let camera = camera(1);
+        for (x, y) in [(0.0, 0.0), (13.25, 77.5), (201.0, 101.0), (-40.0, 500.0)] {
+            let (px, py) = camera.project(camera.ray(x, y).at(7.0)).unwrap();
+            assert!((px - x).abs() < 1e-9 && (py - y).abs() < 1e-9, "{px} {py}");
+        }
+        assert_eq!(camera.project(DVec3::Z), None, "behind the eye");
     }
 
     #[test]

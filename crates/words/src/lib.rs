@@ -13,6 +13,7 @@
 #[macro_use]
 mod phrases;
 
+pub mod arithmetic;
 pub mod binary;
 pub mod cli;
 pub mod explain;
@@ -23,6 +24,9 @@ pub mod mesh;
 pub mod n7_2009;
 pub mod number;
 pub mod picture;
+pub mod preset;
+pub mod step;
+pub mod studio;
 pub mod term;
 pub mod text;
 pub mod xml;

@@ -1,0 +1,289 @@
+//! The threads behind all sessions.
+//!
+//! A manager takes the sessions' orders in their order, compiles scenes and tells the workers; the workers ask
+//! [`crate::schedule`] for units and send what they computed to the session that wants it.
+
+use crate::schedule::{ViewState, next_unit, wake};
+use crate::{Region, Unit};
+use lancer_scene::{Invalid, Scene, View};
+use lancer_trace::{Camera, Cancel, RayCounts, Settings, TraceError, Tracer, World};
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+
+use super::Session;
+
+/// What a session renders.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The scene.
+    pub scene: Scene,
+    /// The view of it, at the size of the picture.
+    pub view: View,
+    /// How many rays a pixel may cost.
+    pub max_rays: u64,
+}
+
+/// A pool of threads for live sessions. Dropping it ends them.
+pub struct Renderer {
+    orders: Sender<Order>,
+    threads: Vec<JoinHandle<()>>,
+    desk: Arc<Desk>,
+    next: u64,
+}
+
+impl std::fmt::Debug for Renderer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Renderer").field("threads", &self.threads.len()).finish_non_exhaustive()
+    }
+}
+
+/// Called by a worker after it has sent something, so that the window looks.
+type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What a session asks of the manager.
+pub(super) enum Order {
+    Open { session: u64, results: Sender<Message> },
+    Start { session: u64, generation: u64, job: Box<Job>, cancel: Cancel },
+    Pause { session: u64, paused: bool },
+    Activate { session: u64 },
+    Prioritise { session: u64, region: Option<Region> },
+    Close { session: u64 },
+    End,
+}
+
+/// What a session is told.
+pub(super) enum Message {
+    /// A unit is done.
+    Unit { generation: u64, unit: Unit, colors: Vec<[u8; 3]>, counts: RayCounts, fault: Option<(u32, u32, TraceError)> },
+    /// The scene is compiled.
+    Compiled { world: Arc<World> },
+    /// The view cannot be rendered.
+    Refused { generation: u64, rule: Invalid },
+}
+
+/// What workers compute for a session.
+struct Task {
+    tracer: Tracer<Arc<World>>,
+    cancel: Cancel,
+    generation: u64,
+    results: Sender<Message>,
+}
+
+/// What the manager and the workers share. The window never takes this lock.
+struct Desk {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    /// Parallel lists: what the schedule sees of a session, and what the session is.
+    views: Vec<ViewState>,
+    seats: Vec<Seat>,
+    ending: bool,
+}
+
+struct Seat {
+    session: u64,
+    results: Sender<Message>,
+    task: Option<Arc<Task>>,
+}
+
+impl Desk {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // the state is whole between any two statements that could panic
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Renderer {
+    /// A pool of `threads` workers, or as many as the machine offers. `wake` is called whenever a session has news.
+    pub fn new(threads: Option<NonZeroUsize>, wake: impl Fn() + Send + Sync + 'static) -> Renderer {
+        let threads = threads.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let wake: Wake = Arc::new(wake);
+        let desk = Arc::new(Desk { state: Mutex::default(), changed: Condvar::new() });
+        let (orders, inbox) = channel();
+        let manager = {
+            let (desk, wake) = (Arc::clone(&desk), Arc::clone(&wake));
+            std::thread::spawn(move || manage(&inbox, &desk, &*wake))
+        };
+        let workers = (0..threads).map(|_| {
+            let (desk, wake) = (Arc::clone(&desk), Arc::clone(&wake));
+            std::thread::spawn(move || work(&desk, &*wake))
+        });
+        let threads = workers.chain([manager]).collect();
+        Renderer { orders, threads, desk, next: 0 }
+    }
+
+    /// A session with nothing to render yet.
+    pub fn open(&mut self) -> Session {
+        self.next += 1;
+        let (results, news) = channel();
+        // the manager lives as long as this pool
+        let _ = self.orders.send(Order::Open { session: self.next, results });
+        Session::new(self.next, self.orders.clone(), news)
+    }
+}
+
+impl Drop for Renderer {
+    fn drop(&mut self) {
+        let _ = self.orders.send(Order::End);
+        {
+            let mut state = self.desk.lock();
+            state.ending = true;
+            state.seats.iter().filter_map(|seat| seat.task.as_ref()).for_each(|task| task.cancel.cancel());
+        }
+        self.desk.changed.notify_all();
+        for thread in self.threads.drain(..) {
+            // a worker that panicked has nothing left to end
+            let _ = thread.join();
+        }
+    }
+}
+
+/// The manager: takes all orders that are there, then carries them out; of several starts of a session only the last
+/// one counts.
+fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
+    let mut compiled: Option<(Scene, Arc<World>)> = None;
+    while let Ok(first) = inbox.recv() {
+        let mut starts: BTreeMap<u64, (u64, Box<Job>, Cancel)> = BTreeMap::new();
+        for order in std::iter::once(first).chain(inbox.try_iter()) {
+            match order {
+                Order::Open { session, results } => {
+                    let mut state = desk.lock();
+                    state.views.push(ViewState::idle());
+                    state.seats.push(Seat { session, results, task: None });
+                }
+                Order::Start { session, generation, job, cancel } => {
+                    starts.insert(session, (generation, job, cancel));
+                }
+                Order::Pause { session, paused } => {
+                    let mut state = desk.lock();
+                    if let Some(place) = state.place(session) {
+                        state.views[place].paused = paused;
+                        wake(&mut state.views, place);
+                    }
+                }
+                Order::Activate { session } => {
+                    let mut state = desk.lock();
+                    state.views.iter_mut().for_each(|view| view.active = false);
+                    state.with(session, |view| view.active = true);
+                }
+                Order::Prioritise { session, region } => {
+                    desk.lock().with(session, |view| view.prioritise(region));
+                }
+                Order::Close { session } => {
+                    starts.remove(&session);
+                    let mut state = desk.lock();
+                    if let Some(place) = state.place(session) {
+                        state.views.remove(place);
+                        state.seats.remove(place);
+                    }
+                }
+                Order::End => return,
+            }
+        }
+        for (session, (generation, job, cancel)) in starts {
+            let Job { scene, view, max_rays } = *job;
+            let world = match &compiled {
+                Some((known, world)) if same(known, &scene) => Arc::clone(world),
+                Some(_) | None => {
+                    let world = Arc::new(World::compile(&scene));
+                    compiled = Some((scene, Arc::clone(&world)));
+                    world
+                }
+            };
+            let camera = Camera::new(&view);
+            let settings = Settings { max_rays, ..Settings::of(&world, &view) };
+            let mut state = desk.lock();
+            let Some(place) = state.place(session) else { continue };
+            // a session that is gone wants no news
+            let _ = state.seats[place].results.send(Message::Compiled { world: Arc::clone(&world) });
+            match camera {
+                Err(rule) => {
+                    // a session that is gone wants no news
+                    let _ = state.seats[place].results.send(Message::Refused { generation, rule });
+                    wake_window();
+                }
+                Ok(camera) => {
+                    let tracer = Tracer::new(world, &camera, settings, &cancel);
+                    let results = state.seats[place].results.clone();
+                    state.seats[place].task = Some(Arc::new(Task { tracer, cancel, generation, results }));
+                    state.views[place].restart(view.width, view.height);
+                    wake(&mut state.views, place);
+                }
+            }
+        }
+        desk.changed.notify_all();
+    }
+}
+
+/// Whether two scenes share everything, so that one compiled world serves both.
+fn same(a: &Scene, b: &Scene) -> bool {
+    a.world == b.world
+        && a.materials.same_items(&b.materials)
+        && a.lights.same_items(&b.lights)
+        && a.objects.same_items(&b.objects)
+}
+
+impl State {
+    fn place(&self, session: u64) -> Option<usize> {
+        self.seats.iter().position(|seat| seat.session == session)
+    }
+
+    fn with(&mut self, session: u64, change: impl FnOnce(&mut ViewState)) {
+        if let Some(place) = self.place(session) {
+            change(&mut self.views[place]);
+        }
+    }
+}
+
+/// A worker: takes a unit, computes it, sends it; sleeps where there is none.
+fn work(desk: &Desk, wake_window: &dyn Fn()) {
+    loop {
+        let (task, unit) = {
+            let mut state = desk.lock();
+            loop {
+                if state.ending {
+                    return;
+                }
+                match next_unit(&mut state.views).map(|(place, unit)| (state.seats[place].task.clone(), unit)) {
+                    Some((Some(task), unit)) => break (task, unit),
+                    Some((None, _)) => {}
+                    None => state = desk.changed.wait(state).unwrap_or_else(PoisonError::into_inner),
+                }
+            }
+        };
+        if let Some(message) = compute(&task, unit)
+            && task.results.send(message).is_ok()
+        {
+            wake_window();
+        }
+    }
+}
+
+/// What stands where a pixel has no colour: it cannot be overlooked.
+const FAULT: [u8; 3] = [255, 0, 255];
+
+/// The colours of a unit; `None` if it is not wanted any more. The flag is looked at before each pixel, and by the
+/// tracer within a pixel of many rays.
+fn compute(task: &Task, unit: Unit) -> Option<Message> {
+    let (mut colors, mut counts, mut fault) = (Vec::new(), RayCounts::default(), None);
+    for (x, y) in unit.pixels() {
+        if task.cancel.is_cancelled() {
+            return None;
+        }
+        match task.tracer.pixel(x, y, &mut counts) {
+            Ok(color) => colors.push(color.to_bytes()),
+            Err(TraceError::Cancelled) => return None,
+            Err(error @ (TraceError::Budget { .. } | TraceError::NotFinite)) => {
+                fault = fault.or(Some((x, y, error)));
+                colors.push(FAULT);
+            }
+        }
+    }
+    Some(Message::Unit { generation: task.generation, unit, colors, counts, fault })
+}

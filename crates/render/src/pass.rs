@@ -1,0 +1,101 @@
+//! Coarse to fine: a live picture is computed in passes, each of which adds pixels between those of the one before.
+
+use crate::{Region, Tile};
+
+/// A pass computes every `step`-th pixel of every `step`-th row, leaving out what a coarser pass computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Pass {
+    step: u32,
+}
+
+impl Pass {
+    /// The first pass: one pixel of 64.
+    pub const COARSEST: Pass = Pass { step: 8 };
+    /// The last pass: whatever is missing.
+    pub const FINEST: Pass = Pass { step: 1 };
+
+    /// How far apart the pixels stand that are known after this pass.
+    pub fn step(self) -> u32 {
+        self.step
+    }
+
+    /// The pass after this one; `None` after the last.
+    pub fn next(self) -> Option<Pass> {
+        (self.step > 1).then_some(Pass { step: self.step / 2 })
+    }
+
+    /// Whether this pass computes the pixel.
+    pub fn computes(self, x: u32, y: u32) -> bool {
+        let on_grid = |step: u32| x.is_multiple_of(step) && y.is_multiple_of(step);
+        on_grid(self.step) && (self == Pass::COARSEST || !on_grid(2 * self.step))
+    }
+
+    /// The pass that computes the pixel.
+    pub fn of_pixel(x: u32, y: u32) -> Pass {
+        let step = 1 << (x | y).trailing_zeros().min(3);
+        Pass { step }
+    }
+
+    /// Columns and rows of a unit of work: at most as many pixels of the pass as a still picture's tile has.
+    fn side(self) -> u32 {
+        Tile::SIDE * self.step
+    }
+
+    /// How many units of work the pass has in a picture of that size.
+    pub fn units(self, width: u32, height: u32) -> u64 {
+        u64::from(width.div_ceil(self.side())) * u64::from(height.div_ceil(self.side()))
+    }
+
+    /// The rectangle of a unit of work, row by row from the top left.
+    pub fn unit(self, width: u32, height: u32, number: u64) -> Option<Region> {
+        let columns = u64::from(width.div_ceil(self.side()));
+        if number >= self.units(width, height) {
+            return None;
+        }
+        let x = u32::try_from(number % columns).ok()? * self.side();
+        let y = u32::try_from(number / columns).ok()? * self.side();
+        Some(Region { x, y, width: self.side().min(width - x), height: self.side().min(height - y) })
+    }
+
+    /// The pixels that the pass computes in a rectangle that begins on its grid, in row order.
+    pub fn pixels(self, within: Region) -> impl Iterator<Item = (u32, u32)> {
+        let step = self.step as usize;
+        let rows = (within.y..within.y + within.height).step_by(step);
+        rows.flat_map(move |y| (within.x..within.x + within.width).step_by(step).map(move |x| (x, y)))
+            .filter(move |&(x, y)| self.computes(x, y))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All passes together compute every pixel once, whatever the size.
+    #[test]
+    fn passes_compute_every_pixel_once() {
+        for (width, height) in [(1, 1), (8, 8), (640, 48), (131, 77), (3, 300)] {
+            let mut times = vec![0; (width * height) as usize];
+            let mut pass = Some(Pass::COARSEST);
+            while let Some(now) = pass {
+                for number in 0..now.units(width, height) {
+                    let unit = now.unit(width, height, number).unwrap();
+                    assert!(unit.lies_within(width, height));
+                    for (x, y) in now.pixels(unit) {
+                        assert_eq!(Pass::of_pixel(x, y), now);
+                        times[(y * width + x) as usize] += 1;
+                    }
+                }
+                assert_eq!(now.unit(width, height, now.units(width, height)), None);
+                pass = now.next();
+            }
+            assert!(times.iter().all(|times| *times == 1), "{width}×{height}");
+        }
+    }
+
+    #[test]
+    fn units_are_no_larger_than_tiles() {
+        let unit = Pass::COARSEST.unit(640, 480, 0).unwrap();
+        assert_eq!(Pass::COARSEST.pixels(unit).count(), 256);
+        assert_eq!(Pass::FINEST.pixels(Pass::FINEST.unit(640, 480, 0).unwrap()).count(), 192);
+    }
+}

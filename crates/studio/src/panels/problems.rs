@@ -1,0 +1,117 @@
+//! What is wrong: what was found in the files that were opened, and what lint finds in the scene as it is.
+
+use crate::{Action, Context};
+use egui::{Color32, Id, RichText, ScrollArea, Ui};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons::{ICON_CHECK_CIRCLE, ICON_ERROR, ICON_INFO, ICON_WARNING};
+use lancer_document::{Item, Selection};
+use lancer_formats::{Describe, Severity};
+use lancer_scene::{Finding, NameKind, Weight, lint};
+use lancer_words::studio::panels as words;
+use std::sync::Arc;
+
+/// Shows the panel; gives what the user wants.
+pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let (lang, palette) = (context.lang, context.palette);
+    let findings = findings(ui, context);
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let mut nothing = true;
+        for report in context.reports {
+            for diagnostic in &report.diagnostics {
+                nothing = false;
+                let (icon, color) = match diagnostic.severity {
+                    Severity::Error => (ICON_ERROR, palette.error),
+                    Severity::Warning => (ICON_WARNING, palette.warning),
+                };
+                let place = match diagnostic.span {
+                    Some(span) => {
+                        let (line, column) = report.source.position(span.start);
+                        format!("{}:{line}:{column}", report.source.name)
+                    }
+                    None => report.source.name.to_string(),
+                };
+                entry(ui, icon, color, &diagnostic.problem, context, |ui| {
+                    ui.label(RichText::new(place).monospace().weak());
+                });
+            }
+        }
+        if !findings.is_empty() {
+            nothing = false;
+            ui.label(RichText::new(words::in_scene(lang)).strong().color(palette.weak));
+        }
+        for finding in findings.iter() {
+            let (icon, color) = match finding.weight() {
+                Weight::Warning => (ICON_WARNING, palette.warning),
+                Weight::Note => (ICON_INFO, palette.accent),
+            };
+            entry(ui, icon, color, finding, context, |ui| {
+                for (kind, name) in finding.names() {
+                    if let Some(item) = item(context, kind, name)
+                        && ui.small_button(words::select(lang, name)).clicked()
+                    {
+                        actions.push(Action::Select(Selection::only(item)));
+                    }
+                }
+            });
+        }
+        if nothing {
+            ui.horizontal(|ui| {
+                ui.label(ICON_CHECK_CIRCLE.rich_text().color(palette.success));
+                ui.label(words::no_problems(lang));
+            });
+        }
+    });
+    actions
+}
+
+/// What lint finds, found again when the document changed.
+fn findings(ui: &Ui, context: &Context<'_>) -> Arc<Vec<Finding>> {
+    let id = Id::unique("findings");
+    let revision = context.document.revision();
+    let known = ui.data(|data| data.get_temp::<(u64, Arc<Vec<Finding>>)>(id));
+    match known {
+        Some((of, findings)) if of == revision || context.document.in_gesture() => findings,
+        Some(_) | None => {
+            let stage = context.document.stage();
+            let findings = Arc::new(lint(&stage.scene, &stage.views));
+            ui.data_mut(|data| data.insert_temp(id, (revision, Arc::clone(&findings))));
+            findings
+        }
+    }
+}
+
+/// One problem: its icon, its sentence, the way out, and what belongs to it.
+fn entry(
+    ui: &mut Ui,
+    icon: MaterialIcon,
+    color: Color32,
+    problem: &impl Describe,
+    context: &Context<'_>,
+    more: impl FnOnce(&mut Ui),
+) {
+    ui.horizontal_top(|ui| {
+        ui.label(icon.rich_text().size(16.0).color(color));
+        ui.vertical(|ui| {
+            ui.horizontal_wrapped(|ui| {
+                ui.label(problem.message(context.lang));
+                more(ui);
+            });
+            if let Some(help) = problem.help(context.lang) {
+                ui.label(RichText::new(help).weak());
+            }
+        });
+    });
+    ui.add_space(4.0);
+}
+
+/// The thing of that name.
+fn item(context: &Context<'_>, kind: NameKind, name: &lancer_scene::Name) -> Option<Item> {
+    let stage = context.document.stage();
+    let candidates = match kind {
+        NameKind::ObjectOrLight => vec![Item::Object(name.clone()), Item::Light(name.clone())],
+        NameKind::Material => vec![Item::Material(name.clone())],
+        NameKind::View => vec![Item::View(name.clone())],
+    };
+    candidates.into_iter().find(|item| item.exists(stage))
+}

@@ -1,0 +1,6 @@
+//! What the editor says.
+
+pub mod app;
+pub mod menu;
+pub mod panels;
+pub mod view;
