@@ -115,10 +115,8 @@ fn ball(shot: &Picture, right: bool) -> (u32, u32) {
 
 fn center(path: &Path) -> Option<[f64; 3]> {
     let scene = load_scene(path, &LoadOptions::default()).ok()?.value?;
-    match &scene.objects.first()?.shape {
-        Shape::Sphere { center, .. } => Some(center.to_array()),
-        _ => None,
-    }
+    let Shape::Sphere { center, .. } = &scene.objects.first()?.shape else { return None };
+    Some(center.to_array())
 }
 
 fn is_there(program: &str) -> bool {

@@ -5,7 +5,7 @@ use crate::theme::Palette;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke};
 use lancer_document::gizmo::Constraint;
 use lancer_document::wireframe::{Grid, Polyline, Wireframes, grid};
-use lancer_document::{Axis, focus, navigate};
+use lancer_document::{Axis, Item, focus, navigate};
 use lancer_trace::Camera;
 use lancer_words::{Lang, studio::view as words};
 
@@ -28,6 +28,12 @@ pub(crate) fn draw(
         let vertical = navigate::vertical(stage);
         let ground = focus(scope.view, &stage.scene, None).point;
         ground_grid(&painter, &grid(&camera, vertical, ground), palette, &on_screen);
+        // with the grid lamps are seen too, so that they can be clicked
+        for light in &stage.scene.lights {
+            for line in wireframes.outline(stage, &Item::Light(light.name.clone()), &camera) {
+                halo(&painter, on_screen(&line), palette.grid, 1.0);
+            }
+        }
     }
     let selection = scope.context.document.selection();
     for item in selection.iter() {
