@@ -99,6 +99,16 @@ fn keys_are_distinct() {
     }
 }
 
+/// On a French keyboard the key of 7 gives è: its place counts.
+#[test]
+fn digits_are_known_by_their_place() {
+    let mut window = Window::new(stage(), Lang::French);
+    let physical_key = Some(Key::Num7);
+    let (pressed, repeat, modifiers) = (true, false, Modifiers::NONE);
+    window.event(egui::Event::Key { key: Key::Questionmark, physical_key, pressed, repeat, modifiers });
+    assert_eq!(window.last_step(), "Move the eye of front");
+}
+
 /// Every menu and every menu of a pane opens, with everything in it named.
 #[test]
 fn everything_in_the_menus_is_named() {
