@@ -22,7 +22,7 @@ use crate::view::{Answer, LiveView, Picker, Purpose};
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand, ViewportId};
 use lancer_document::journal::{self, Journal};
 use lancer_document::wireframe::Wireframes;
-use lancer_document::{Document, Item, Selection, StepName};
+use lancer_document::{Document, Item, StepName};
 use lancer_render::live::Renderer;
 use lancer_scene::Stage;
 use lancer_words::{Lang, studio::app as words};
@@ -191,10 +191,7 @@ impl Studio {
     fn answer(&mut self, ctx: &egui::Context, answer: Answer) {
         if let Purpose::Select { more } = answer.purpose {
             let item = answer.picked.as_ref().map(|picked| Item::Object(picked.object.clone()));
-            let mut selection = if more { self.model.document.selection().clone() } else { Selection::default() };
-            if let Some(item) = item {
-                selection.toggle(item);
-            }
+            let selection = panels::view::picked(&self.model.document, item, more);
             self.perform(ctx, Action::Select(selection));
         }
         if let Some(live) = self.panes.live.get_mut(&*answer.view) {

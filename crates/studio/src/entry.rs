@@ -402,11 +402,26 @@ pub fn pressed(ctx: &egui::Context, context: &Context<'_>) -> Vec<Action> {
     entries.sort_by_key(|(keys, _)| std::cmp::Reverse(u8::from(keys.modifiers.shift)));
     let mut actions = Vec::new();
     for (keys, entry) in entries {
-        if ctx.input_mut(|input| input.consume_shortcut(&keys)) {
+        if ctx.input_mut(|input| input.consume_shortcut(&keys) || consume_by_place(input, keys)) {
             actions.extend(entry.actions(context).unwrap_or_default());
         }
     }
     actions
+}
+
+/// Takes a key by its place on the keyboard: with Shift, or on a French keyboard without it, digits and the backslash
+/// are other signs.
+fn consume_by_place(input: &mut egui::InputState, keys: KeyboardShortcut) -> bool {
+    if !matches!(keys.logical_key, Key::Num0 | Key::Num1 | Key::Num3 | Key::Num7 | Key::Backslash) {
+        return false;
+    }
+    let before = input.events.len();
+    input.events.retain(|event| {
+        let wanted = matches!(event, egui::Event::Key { physical_key: Some(place), pressed: true, modifiers, .. }
+            if *place == keys.logical_key && modifiers.matches_exact(keys.modifiers));
+        !wanted
+    });
+    input.events.len() < before
 }
 
 /// The name of a side.

@@ -99,6 +99,16 @@ fn keys_are_distinct() {
     }
 }
 
+/// On a French keyboard the key of 7 gives è: its place counts.
+#[test]
+fn digits_are_known_by_their_place() {
+    let mut window = Window::new(stage(), Lang::French);
+    let physical_key = Some(Key::Num7);
+    let (pressed, repeat, modifiers) = (true, false, Modifiers::NONE);
+    window.event(egui::Event::Key { key: Key::Questionmark, physical_key, pressed, repeat, modifiers });
+    assert_eq!(window.last_step(), "Move the eye of front");
+}
+
 /// Every menu and every menu of a pane opens, with everything in it named.
 #[test]
 fn everything_in_the_menus_is_named() {
@@ -290,4 +300,25 @@ fn a_file_changed_outside_is_read_again() {
     window.settle();
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.stage().scene.name, "One ball");
+}
+
+/// What a program kept that ended without saving is offered by the next one.
+#[test]
+fn work_is_recovered_after_a_crash() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window::kept_in(stage(), folder.path());
+    window.menu("Add", "Sphere");
+    let due = window.stage().clone();
+    // the journal is written while the window is alive; dropping it is no proper end
+    drop(window);
+    let mut next = Window::kept_in(lancer_studio::welcome::empty(), folder.path());
+    assert!(text_of(&next).iter().any(|text| text == "Recover unsaved work?"));
+    next.click("Recover");
+    assert_eq!(next.stage().scene, due.scene);
+    drop(next);
+    let mut last = Window::kept_in(stage(), folder.path());
+    last.click("Discard");
+    drop(last);
+    let after = Window::kept_in(stage(), folder.path());
+    assert!(!text_of(&after).iter().any(|text| text == "Recover unsaved work?"));
 }

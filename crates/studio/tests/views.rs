@@ -6,7 +6,7 @@ mod window;
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase, Vec2};
 use egui_kittest::kittest::Queryable;
 use lancer_document::Item;
-use lancer_scene::DVec3;
+use lancer_scene::{DVec3, PointLight};
 use lancer_words::Lang;
 use std::hash::{Hash, Hasher};
 use window::{Window, stage};
@@ -80,6 +80,22 @@ fn dragging_a_selected_object_moves_it_in_the_views_plane_as_one_step() {
     assert!(by.z.abs() < 0.1, "{by}");
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.center("red"), DVec3::new(-0.8, 0.5, 0.0));
+}
+
+#[test]
+fn with_the_grid_a_lamp_can_be_clicked_and_dragged() {
+    let mut stage = stage();
+    stage.scene.lights = [PointLight::new("lamp", DVec3::new(1.0, 2.0, 0.0))].into_iter().collect();
+    let mut window = Window::new(stage, Lang::English);
+    window.press(Modifiers::NONE, Key::G);
+    let lamp = window.place("front", DVec3::new(1.0, 2.0, 0.0));
+    window.click_at(lamp, Modifiers::NONE);
+    assert_eq!(window.selected(), [Item::Light("lamp".into())]);
+    let to = lamp + Vec2::new(-40.0, 0.0);
+    window.drag(lamp, to, PointerButton::Primary, Modifiers::NONE);
+    window.drop_at(to, PointerButton::Primary);
+    assert_eq!(window.last_step(), "Move lamp");
+    assert!(window.stage().scene.lights[0].position.x < 0.8);
 }
 
 /// The pointer need not rest on an object before the button goes down.

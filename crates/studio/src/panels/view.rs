@@ -4,6 +4,7 @@ use crate::view::{self, Gesture, LiveView, Mapping, Picker, Purpose, Scope};
 use crate::{Action, Context, ViewAction};
 use egui::{Align2, FontId, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 use lancer_document::wireframe::Wireframes;
+use lancer_document::{Document, Item, Selection};
 use lancer_scene::View;
 use lancer_words::studio::view as words;
 use std::sync::Arc;
@@ -44,7 +45,11 @@ pub fn show(
     let mut actions = focus(ui, context, &response, live, view);
     actions.extend(view::follow(ui, &response, &scope, &mut live.gesture, &mut live.marking));
 
-    if let (Some((point, purpose)), Some(world)) = (question(ui, &response, live, &mapping, pointer), &world) {
+    let lamp = pointer.filter(|_| response.clicked()).and_then(|place| scope.lamp(place, live.grid));
+    if let Some(lamp) = lamp {
+        let modifiers = ui.input(|input| input.modifiers);
+        actions.push(Action::Select(picked(context.document, Some(lamp), modifiers.shift || modifiers.command)));
+    } else if let (Some((point, purpose)), Some(world)) = (question(ui, &response, live, &mapping, pointer), &world) {
         tools.picker.ask(world, view, point, purpose);
     }
     if live.marking || live.gesture.is_some() && response.dragged_by(PointerButton::Primary) {
@@ -66,6 +71,15 @@ pub fn show(
         ui.painter().rect_stroke(whole, 0.0, stroke, egui::StrokeKind::Inside);
     }
     actions
+}
+
+/// What is selected after a click on something or on nothing.
+pub(crate) fn picked(document: &Document, item: Option<Item>, more: bool) -> Selection {
+    let mut selection = if more { document.selection().clone() } else { Selection::default() };
+    if let Some(item) = item {
+        selection.toggle(item);
+    }
+    selection
 }
 
 /// Where a picture of that many pixels stands: pixel by pixel in the middle, or made smaller where it has no place.

@@ -138,6 +138,19 @@ impl Scope<'_> {
         self.context.document.selection().iter().filter(|item| matches!(item, Item::Object(_) | Item::Light(_)))
     }
 
+    /// The lamp whose star is shown there.
+    pub(crate) fn lamp(&self, place: Pos2, with_grid: bool) -> Option<Item> {
+        let camera = Camera::new(self.view).ok()?;
+        let lamps = self.stage().scene.lights.iter().map(|light| (Item::Light(light.name.clone()), light.position));
+        let selection = self.context.document.selection();
+        let shown = lamps.filter(|(item, _)| with_grid || selection.contains(item));
+        let near = shown.filter_map(|(item, position)| {
+            let distance = self.mapping.to_screen(camera.project(position)?).distance(place);
+            (distance <= REACH).then_some((item, distance))
+        });
+        near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(item, _)| item)
+    }
+
     /// The point of something selected that is grabbed there; `Err` while it is not known what stands there.
     fn grabbed(&self, place: Pos2) -> Result<Option<DVec3>, NotKnown> {
         let camera = Camera::new(self.view).map_err(|_| NotKnown)?;

@@ -6,6 +6,7 @@ use lancer_render::Region;
 use lancer_render::live::{Job, Session};
 use lancer_scene::{Scene, Stage, View};
 use lancer_trace::Settings;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// A picture that is older than this says so; a change that is seen sooner would only flicker.
@@ -111,6 +112,7 @@ impl LiveView {
         self.rendered = Some((scene, view));
         self.outdated = true;
         self.started = Instant::now();
+        self.under = None;
     }
 
     /// The view at the size of its picture; `None` while the pane's size is not known.
@@ -145,7 +147,12 @@ impl LiveView {
 
     /// Takes the news of the session; whether there were any.
     pub fn poll(&mut self) -> bool {
+        let world = |session: &Session| session.world().map(Arc::as_ptr);
+        let before = world(&self.session);
         let changed = self.session.poll();
+        if world(&self.session) != before {
+            self.under = None;
+        }
         self.outdated |= changed;
         self.complete |= !self.session.image().bytes().is_empty() && !self.session.image().is_stale();
         changed

@@ -5,10 +5,12 @@ use crate::theme::Palette;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke};
 use lancer_document::gizmo::Constraint;
 use lancer_document::wireframe::{Grid, Polyline, Wireframes, grid};
-use lancer_document::{Axis, focus, navigate};
+use lancer_document::{Axis, Item, focus, navigate};
 use lancer_trace::Camera;
 use lancer_words::{Lang, studio::view as words};
 
+/// An outline of more lines than these is drawn finely, so that the picture is seen through it.
+const FINE: usize = 60;
 /// The letters of the axes; colour alone tells nobody anything.
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 
@@ -28,12 +30,22 @@ pub(crate) fn draw(
         let vertical = navigate::vertical(stage);
         let ground = focus(scope.view, &stage.scene, None).point;
         ground_grid(&painter, &grid(&camera, vertical, ground), palette, &on_screen);
+        // with the grid lamps are seen too, so that they can be clicked
+        for light in &stage.scene.lights {
+            for line in wireframes.outline(stage, &Item::Light(light.name.clone()), &camera) {
+                halo(&painter, on_screen(&line), palette.grid, 1.0);
+            }
+        }
     }
     let selection = scope.context.document.selection();
     for item in selection.iter() {
         let primary = selection.primary() == Some(item);
-        for line in wireframes.outline(stage, item, &camera) {
-            halo(&painter, on_screen(&line), palette.outline(primary), 1.5);
+        let (lines, color) = (wireframes.outline(stage, item, &camera), palette.outline(primary));
+        if lines.len() > FINE {
+            let stroke = Stroke::new(1.0, color.gamma_multiply(0.35));
+            painter.extend(lines.iter().map(|line| Shape::line(on_screen(line), stroke)));
+        } else {
+            lines.iter().for_each(|line| halo(&painter, on_screen(line), color, 1.5));
         }
     }
     match gesture {

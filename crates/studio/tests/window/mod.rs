@@ -94,12 +94,21 @@ impl Window {
     }
 
     pub fn opening(stage: Stage, lang: Lang, open: Vec<PathBuf>) -> Window {
+        Window::starting(stage, lang, open, None)
+    }
+
+    /// A window that keeps a journal in a folder.
+    pub fn kept_in(stage: Stage, folder: &std::path::Path) -> Window {
+        Window::starting(stage, Lang::English, Vec::new(), Some(folder.to_owned()))
+    }
+
+    fn starting(stage: Stage, lang: Lang, open: Vec<PathBuf>, journals: Option<PathBuf>) -> Window {
         let dialogs = Scripted::default();
         let scripted = dialogs.clone();
         let mut harness = Harness::builder().with_size(Vec2::new(1000.0, 640.0)).build_eframe(move |creation| {
             let settings = Settings::default();
             let dialogs = Box::new(scripted);
-            let start = Start { settings, lang: Some(lang), stage, open, dialogs, journals: None };
+            let start = Start { settings, lang: Some(lang), stage, open, dialogs, journals };
             Studio::new(&creation.egui_ctx, start)
         });
         harness.step();
