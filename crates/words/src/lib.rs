@@ -14,6 +14,7 @@
 mod phrases;
 
 pub mod arithmetic;
+pub mod attribute;
 pub mod binary;
 pub mod cli;
 pub mod explain;

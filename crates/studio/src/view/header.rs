@@ -2,7 +2,7 @@
 
 use super::live::LiveView;
 use crate::bars::sign_text;
-use crate::chrome::{icon_menu, icon_switch};
+use crate::chrome::{SIDE, icon_menu, icon_switch};
 use crate::entry::Entry;
 use crate::{Action, Context, ViewAction};
 use egui::{Button, RichText, Role, Ui, WidgetInfo};
@@ -31,12 +31,12 @@ pub fn header(ui: &mut Ui, context: &Context<'_>, live: &LiveView, view: &View) 
     let (lang, name) = (context.lang, &view.name);
     let mut actions = Vec::new();
     ui.spacing_mut().item_spacing.x = 2.0;
-    icon_menu(ui, icon::ICON_MORE_VERT, &words::more_of(lang, name), |ui| more(ui, context, live, view, &mut actions));
-    icon_menu(ui, icon::ICON_IMAGE, &words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
-    icon_menu(ui, icon::ICON_TUNE, &words::picture_settings_of(lang, name), |ui| {
+    icon_menu(ui, icon::ICON_MORE_VERT, SIDE, &words::more_of(lang, name), |ui| more(ui, context, live, view, &mut actions));
+    icon_menu(ui, icon::ICON_IMAGE, SIDE, &words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
+    icon_menu(ui, icon::ICON_TUNE, SIDE, &words::picture_settings_of(lang, name), |ui| {
         picture(ui, context, live, view, &mut actions);
     });
-    icon_menu(ui, icon::ICON_LAYERS, &words::steps_of(lang, name), |ui| steps(ui, context, view, &mut actions));
+    icon_menu(ui, icon::ICON_LAYERS, SIDE, &words::steps_of(lang, name), |ui| steps(ui, context, view, &mut actions));
     let paused = live.session().status().paused;
     let (sign, text) = match paused {
         true => (icon::ICON_PLAY_ARROW, menu::resume(lang)),

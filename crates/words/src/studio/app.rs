@@ -28,6 +28,8 @@ phrases! {
     tab_xml() { "XML", "XML" }
     /// What is wrong with files.
     tab_problems() { "Problems", "Problèmes" }
+    /// A pixel with all its rays.
+    tab_explain() { "Explain", "Explication" }
     /// The steps.
     tab_history() { "History", "Historique" }
 
@@ -147,6 +149,17 @@ phrases! {
     save_views_title() { "Save the views", "Enregistrer les vues" }
     /// The title of a dialog.
     save_picture_title(view) { "Save the picture of {view}", "Enregistrer l'image de {view}" }
+    /// The title of a dialog.
+    export_2009_title() { "Export to the format of 2009", "Exporter au format de 2009" }
+    /// What is asked before an export that loses something.
+    losses_title() { "The format of 2009 cannot hold everything", "Le format de 2009 ne peut pas tout contenir" }
+    /// What is lost, before the list.
+    losses_text() {
+        "The exported file will differ from this document in what follows. The document itself stays as it is.",
+        "Le fichier exporté différera de ce document sur les points suivants. Le document lui-même reste tel quel.",
+    }
+    /// Goes on with the export.
+    export() { "Export…", "Exporter…" }
     /// The title of a dialog.
     add_mesh_title() { "Add a mesh from a file", "Ajouter un maillage depuis un fichier" }
     /// The title of a dialog.
