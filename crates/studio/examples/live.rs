@@ -52,9 +52,8 @@ fn stage(views: usize) -> Stage {
     let view = load_views(&folder.join("course.view.xml"), &options).unwrap().value.unwrap()[0].clone();
     let around = |number: usize| {
         let angle = number as f64 * 0.35;
-        let turn = |p: DVec3| {
-            DVec3::new(p.x * angle.cos() + p.z * angle.sin(), p.y, p.z * angle.cos() - p.x * angle.sin())
-        };
+        let turn =
+            |p: DVec3| DVec3::new(p.x * angle.cos() + p.z * angle.sin(), p.y, p.z * angle.cos() - p.x * angle.sin());
         let screen = ScreenSpec::LookAt { look_at: DVec3::new(0.0, 0.5, 0.0), up: DVec3::Y, fov: 45.0 };
         let name = format!("view {}", number + 1).as_str().into();
         View { name, width: 640, height: 480, eye: turn(view.eye), screen, samples: 1, ..View::clone(&view) }
@@ -76,7 +75,10 @@ fn edit(stage: &Stage, time: usize) -> Edit {
 /// Edits with so many sessions: the times to the first complete picture of all, and to the last pixel of all.
 fn sessions(stage: &Stage, count: usize) -> (Vec<f64>, Vec<f64>) {
     let (wake, news) = channel();
-    let mut renderer = Renderer::new(None, move || drop(wake.send(())));
+    let mut renderer = Renderer::new(None, move || {
+        // nobody waits any more
+        let _ = wake.send(());
+    });
     let mut sessions: Vec<Session> = (0..count).map(|_| renderer.open()).collect();
     let (mut first, mut finished) = (Vec::new(), Vec::new());
     // the first picture is not measured: memory is taken for it
@@ -87,7 +89,9 @@ fn sessions(stage: &Stage, count: usize) -> (Vec<f64>, Vec<f64>) {
         let mut complete = None;
         while !sessions.iter().all(Session::is_finished) {
             news.recv().unwrap();
-            sessions.iter_mut().for_each(|session| drop(session.poll()));
+            for session in &mut sessions {
+                session.poll();
+            }
             if complete.is_none() && sessions.iter().all(|session| session.status().first_complete.is_some()) {
                 complete = Some(begun.elapsed());
             }
@@ -137,7 +141,7 @@ fn window(stage: Stage) {
     println!("the window, ms: median (worst) of {EDITS} edits; then {} s of dragging, an edit a frame", DRAG.as_secs());
     println!("views   first complete        all finished   frames/s  worst frame");
     let viewport = egui::ViewportBuilder::default().with_inner_size([1920.0, 1080.0]).with_title("live");
-    let options = eframe::NativeOptions { viewport, vsync: false, ..eframe::NativeOptions::default() };
+    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let begin = move |creation: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let dialogs = Box::new(NoDialogs);
         let (settings, lang) = (Settings::default(), Some(Lang::English));

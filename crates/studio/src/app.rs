@@ -272,7 +272,7 @@ impl Studio {
         });
         let side = Frame::new().fill(palette.panel);
         if settings.tabs {
-            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(170.0).size_range(80.0..=600.0);
+            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(220.0).size_range(80.0..=600.0);
             actions.extend(panel.show(ui, |ui| tabs(ui, &context)).inner);
         }
         if settings.outliner {
@@ -283,7 +283,7 @@ impl Studio {
         }
         if settings.properties {
             let panel =
-                Panel::right("properties").frame(side).resizable(true).default_size(320.0).size_range(260.0..=520.0);
+                Panel::right("properties").frame(side).resizable(true).default_size(330.0).size_range(260.0..=520.0);
             let name = words::properties(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::properties::show)).inner);
         }

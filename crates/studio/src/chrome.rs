@@ -31,8 +31,11 @@ pub fn small_icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str) -> Respons
 }
 
 fn sized_icon_button(ui: &mut Ui, icon: MaterialIcon, side: f32, name: &str) -> Response {
-    let size = if side < SIDE { ICON - 2.0 } else { ICON };
-    let button = Button::new(icon.rich_text().size(size)).frame_when_inactive(false).min_size(Vec2::splat(side));
+    let sign = match side < SIDE {
+        true => icon.rich_text().size(ICON - 2.0).weak(),
+        false => icon.rich_text().size(ICON),
+    };
+    let button = Button::new(sign).frame_when_inactive(false).min_size(Vec2::splat(side));
     named(tight(ui, |ui| ui.add(button)), Role::Button, None, name)
 }
 
@@ -65,7 +68,8 @@ pub fn named(response: Response, kind: Role, selected: Option<bool>, name: &str)
 
 /// A button that shows an icon alone and opens a menu.
 pub fn icon_menu(ui: &mut Ui, icon: MaterialIcon, side: f32, name: &str, content: impl FnOnce(&mut Ui)) {
-    let button = Button::new(icon.rich_text().size(ICON)).frame_when_inactive(false).min_size(Vec2::splat(side));
+    let sign = if side < SIDE { icon.rich_text().size(ICON).weak() } else { icon.rich_text().size(ICON) };
+    let button = Button::new(sign).frame_when_inactive(false).min_size(Vec2::splat(side));
     let config =
         egui::containers::menu::MenuConfig::default().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
     let (roomy, high) = (ui.spacing().button_padding, ui.spacing().interact_size);

@@ -18,7 +18,10 @@ pub(crate) enum Question {
     SaveViews,
     Mesh,
     Picture(Name, Format),
-    Text { name: String, text: String },
+    Text {
+        name: String,
+        text: String,
+    },
     /// A document of 2009.
     Export2009(Exported, String),
 }

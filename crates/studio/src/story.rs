@@ -51,7 +51,8 @@ pub fn lines(explanation: &Explanation, tree: &RayTree, open: &BTreeSet<usize>, 
             parents[child] = number;
         }
     }
-    let mut teller = Teller { explanation, tree, open, parents, lang, indent: 0, channels: Channels::ALL, lines: vec![] };
+    let mut teller =
+        Teller { explanation, tree, open, parents, lang, indent: 0, channels: Channels::ALL, lines: vec![] };
     teller.ray(0);
     teller.lines
 }
@@ -407,4 +408,64 @@ fn decimals(value: f64, count: usize) -> String {
     }
     let text = format!("{:.count$}", value + 0.0);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lancer_scene::{List, PointLight, Scene, ScreenSpec, Steps, Surface, View};
+    use lancer_trace::{Camera, Cancel, Settings, World, explain};
+    use std::sync::Arc;
+
+    /// A mirror ball before a background, lit from the eye.
+    fn explanation() -> Explanation {
+        let surface = Surface { kr: Rgb::splat(0.5), ..Surface::default() };
+        let ball = Object {
+            material: lancer_scene::MaterialRef::Inline(Arc::new(surface)),
+            ..Object::new("ball", Shape::Sphere { center: DVec3::ZERO, radius: 1.0 })
+        };
+        let scene = Scene {
+            objects: std::iter::once(ball).collect::<List<Object>>(),
+            lights: std::iter::once(PointLight::new("lamp", DVec3::Z * 5.0)).collect::<List<PointLight>>(),
+            ..Scene::default()
+        };
+        let view = View {
+            name: "front".into(),
+            width: 3,
+            height: 3,
+            eye: DVec3::Z * 4.0,
+            screen: ScreenSpec::LookAt { look_at: DVec3::ZERO, up: DVec3::Y, fov: 40.0 },
+            samples: 1,
+            depth: None,
+            steps: Steps::default(),
+        };
+        let (world, camera) = (World::compile(&scene), Camera::new(&view).unwrap());
+        let pixel = explain(&world, &camera, Settings::of(&world, &view), (1, 1), &Cancel::default()).unwrap();
+        Explanation { scene, view, pixel: (1, 1), outcome: Ok(pixel) }
+    }
+
+    /// Ka·Ia = 0.2·0.2, a black background in the mirror, and (0.6·1 + 0)·1 of the lamp in front.
+    #[test]
+    fn every_term_of_the_sum_is_told() {
+        let explanation = explanation();
+        let tree = &explanation.outcome.as_ref().unwrap().samples[0].tree;
+        let told = lines(&explanation, tree, &BTreeSet::from([0]), Lang::English);
+        let sums: Vec<(&str, &str)> = told
+            .iter()
+            .filter_map(|line| match &line.what {
+                What::Sum(label, [red, ..]) => Some((label.as_str(), red.as_str())),
+                What::Ray { .. } | What::Term(_) | What::Text(_) | What::Values(..) => None,
+            })
+            .collect();
+        // 0.04 ⊕ 0 = 0.04; 0.04 ⊕ 0.6 = 1 - 0.96·0.4 = 0.616
+        assert_eq!(sums, [("E = Ka·Ia", "0.04000"), ("E ⊕ Kr·Ir", "0.04000"), ("E ⊕ lamp", "0.61600")]);
+        let text = text(&told);
+        for due in
+            ["primary ray → `ball`", "× Ir seen along R1", "R1, reflected ray → colour of infinity", "Kt = 0, opaque"]
+        {
+            assert!(text.contains(due), "{due} in {text}");
+        }
+        // a folded ray is one line
+        assert_eq!(lines(&explanation, tree, &BTreeSet::new(), Lang::French).len(), 1);
+    }
 }

@@ -148,7 +148,10 @@ fn is_there(program: &str) -> bool {
 fn the_real_window_from_opening_to_saving() {
     if let Some(missing) = ["Xvfb", "xdotool", "import"].into_iter().find(|program| !is_there(program)) {
         let asked = std::env::var_os("LANCER_REAL_WINDOW").is_some();
-        assert!(!asked, "{missing} is not installed: apt install xvfb xdotool imagemagick libgl1 libgl1-mesa-dri libxkbcommon-x11-0");
+        assert!(
+            !asked,
+            "{missing} is not installed: apt install xvfb xdotool imagemagick libgl1 libgl1-mesa-dri libxkbcommon-x11-0"
+        );
         eprintln!("left out: {missing} is not installed");
         return;
     }

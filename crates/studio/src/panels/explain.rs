@@ -40,10 +40,9 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
         return actions;
     };
     let id = Id::unique("explain");
-    let mut memory = ui.data(|data| data.get_temp::<Memory>(id)).unwrap_or_else(|| Memory {
-        open: BTreeSet::from([0]),
-        ..Memory::default()
-    });
+    let mut memory = ui
+        .data(|data| data.get_temp::<Memory>(id))
+        .unwrap_or_else(|| Memory { open: BTreeSet::from([0]), ..Memory::default() });
     let explanation = explainer.explanation().map(Arc::clone);
     renew(&mut memory, explanation.as_ref(), lang);
     let mut again = false;
@@ -66,15 +65,14 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
             actions.push(Action::CopyText(story::text(&memory.lines)));
         }
         bytes(ui, context.palette, tree, lang);
+        ui.add_space(8.0);
+        ui.add(egui::Label::new(RichText::new(words::hint(lang)).weak().small()).truncate());
     });
     ui.add_space(2.0);
     match explanation.as_deref().map(|explanation| &explanation.outcome) {
         None => drop(ui.label(RichText::new(words::working(lang)).weak())),
         Some(Err(failure)) => drop(ui.colored_label(context.palette.error, why(failure, memory.of.as_ref(), lang))),
         Some(Ok(_)) => again |= tree(ui, context.palette, &mut memory),
-    }
-    if explanation.is_none() || target.at == (0.5, 0.5) {
-        ui.label(RichText::new(words::hint(lang)).weak());
     }
     if again && let Some((explanation, lang)) = memory.of.clone() {
         tell(&mut memory, &explanation, lang);

@@ -8,7 +8,9 @@ use crate::widgets::{line, preset_list, swatch};
 use crate::{Action, Context, FileAction, ViewAction};
 use egui::{Id, Key, Response, RichText, ScrollArea, TextEdit, Ui, WidgetInfo};
 use egui_material_icons::MaterialIcon;
-use egui_material_icons::icons::{ICON_ADD, ICON_CLOSE, ICON_PUBLIC, ICON_SEARCH, ICON_VISIBILITY, ICON_VISIBILITY_OFF};
+use egui_material_icons::icons::{
+    ICON_ADD, ICON_CLOSE, ICON_PUBLIC, ICON_SEARCH, ICON_VISIBILITY, ICON_VISIBILITY_OFF,
+};
 use lancer_document::insert::{NewItem, Standpoint, added};
 use lancer_document::{Command, Item, Selection, arrange};
 use lancer_scene::{Name, Shape, Stage, Surface};
@@ -261,8 +263,11 @@ fn label(ui: &mut Ui, context: &Context<'_>, item: &Item, name: &str, faint: boo
         swatch(ui, context, &material.surface, 18.0);
     } else {
         let color = if faint { context.palette.line } else { context.palette.weak };
-        ui.spacing_mut().interact_size.y = SMALL;
-        ui.label(icon(stage, item).rich_text().size(16.0).color(color));
+
+        let (rect, _) = ui.allocate_exact_size(egui::vec2(18.0, SMALL), egui::Sense::hover());
+        let icon = icon(stage, item);
+        let font = egui::FontId::new(16.0, icon.font_family());
+        ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, icon.codepoint, font, color);
     }
     let text = RichText::new(name);
     let text = if faint { text.weak().italics() } else { text };

@@ -17,7 +17,7 @@ use lancer_words::{number, studio::panels as words};
 use std::sync::Arc;
 
 /// The width of the column of names.
-const NAMES: f32 = 84.0;
+const NAMES: f32 = 78.0;
 
 /// Shows the panel; gives what the user wants.
 pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
@@ -461,6 +461,9 @@ fn widget(
                     let new = widgets::point(ui, id.with(place), corners[place], &name, 0.01, refused).map(|point| {
                         let mut corners = *corners;
                         corners[place] = point;
+                        // the opposite corner follows: a screen is a parallelogram
+                        let [before, after] = [corners[(place + 3) % 4], corners[(place + 1) % 4]];
+                        corners[(place + 2) % 4] = before + after - point;
                         Value::Corners(corners)
                     });
                     change = std::mem::replace(&mut change, Change::Kept).or(new);
@@ -475,7 +478,8 @@ fn widget(
         }
         Value::Choice(place) => {
             let Kind::Choice(words) = attribute.kind else { return Change::Kept };
-            let words: Vec<String> = words.iter().map(|word| lancer_words::attribute::choice(lang, word).to_owned()).collect();
+            let words: Vec<String> =
+                words.iter().map(|word| lancer_words::attribute::choice(lang, word).to_owned()).collect();
             widgets::choice(ui, id, *place, &words, name).map(Value::Choice)
         }
         Value::Steps(steps) => widgets::steps(ui, *steps, lang).map(Value::Steps),

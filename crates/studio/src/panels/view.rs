@@ -1,7 +1,7 @@
 //! A pane: the live picture of a view, what the pointer does in it, and the line below it.
 
-use crate::view::{self, Gesture, LiveView, Mapping, Picker, Purpose, Scope};
 use crate::explainer::Target;
+use crate::view::{self, Gesture, LiveView, Mapping, Picker, Purpose, Scope};
 use crate::{Action, Context, Tab, ViewAction};
 use egui::{Align2, FontId, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 use lancer_document::wireframe::Wireframes;
@@ -54,9 +54,9 @@ pub fn show(
         tools.picker.ask(world, view, point, purpose);
     }
     if let Some(place) = pointer.filter(|_| response.clicked() && explains(context)) {
-        let point = (place - mapping.rect.min) / mapping.rect.size();
-        let at = (f64::from(point.x), f64::from(point.y));
-        actions.push(Action::Explain(Target { view: view.name.clone(), at }));
+        let pixel = mapping.pixel(place, live.size());
+        let target = pixel.map(|pixel| Target::of_pixel(view.name.clone(), pixel, live.size()));
+        actions.extend(target.map(Action::Explain));
     }
     if live.marking || live.gesture.is_some() && response.dragged_by(PointerButton::Primary) {
         ui.ctx().set_cursor_icon(if live.marking { egui::CursorIcon::Crosshair } else { egui::CursorIcon::Grabbing });

@@ -31,7 +31,9 @@ pub fn header(ui: &mut Ui, context: &Context<'_>, live: &LiveView, view: &View) 
     let (lang, name) = (context.lang, &view.name);
     let mut actions = Vec::new();
     ui.spacing_mut().item_spacing.x = 2.0;
-    icon_menu(ui, icon::ICON_MORE_VERT, SIDE, &words::more_of(lang, name), |ui| more(ui, context, live, view, &mut actions));
+    icon_menu(ui, icon::ICON_MORE_VERT, SIDE, &words::more_of(lang, name), |ui| {
+        more(ui, context, live, view, &mut actions)
+    });
     icon_menu(ui, icon::ICON_IMAGE, SIDE, &words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
     icon_menu(ui, icon::ICON_TUNE, SIDE, &words::picture_settings_of(lang, name), |ui| {
         picture(ui, context, live, view, &mut actions);

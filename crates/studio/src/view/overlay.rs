@@ -124,13 +124,7 @@ fn halo(painter: &Painter, points: Vec<Pos2>, color: Color32, width: f32) {
 }
 
 /// Marks the pixel that is explained: four ticks around it, dark around so that they are seen on any picture.
-pub(crate) fn explained(
-    painter: &Painter,
-    mapping: &Mapping,
-    (x, y): (u32, u32),
-    size: [u32; 2],
-    palette: &Palette,
-) {
+pub(crate) fn explained(painter: &Painter, mapping: &Mapping, (x, y): (u32, u32), size: [u32; 2], palette: &Palette) {
     let pixel = mapping.region_rect(Region { x, y, width: 1, height: 1 }, size);
     for (color, width) in [(Color32::from_black_alpha(170), 4.0), (palette.outline(true), 1.5)] {
         for way in [Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y] {

@@ -40,7 +40,7 @@ pub(super) fn raw(
     let error = RefCell::new(None);
     ui.spacing_mut().button_padding = Vec2::new(PADDING, 3.0);
     let digit = ui.ctx().fonts_mut(|fonts| fonts.glyph_width(&TextStyle::Button.resolve(ui.style()), '0'));
-    let room = ((field.width - 2.0 * PADDING) / digit).floor().max(3.0) as usize;
+    let room = ((field.width - 2.0 * PADDING) / digit).max(3.0);
     let text = written(value, room);
     let drag = DragValue::new(&mut shown)
         .range(field.range.clone())
@@ -69,19 +69,26 @@ pub(super) fn raw(
 }
 
 /// Room on both sides of a number.
-const PADDING: f32 = 4.0;
+const PADDING: f32 = 3.0;
 
-/// A number as short as it can be written, with as many decimals as there is room for; all of them are kept.
-fn written(value: f64, room: usize) -> String {
+/// A number as short as it can be written, with as many decimals as there is room for, counted in digits; all of them
+/// are kept.
+fn written(value: f64, room: f32) -> String {
+    let width = |sign: char| match sign {
+        '.' => 0.45,
+        '-' => 0.7,
+        _ => 1.0,
+    };
+    let fits = |text: &String| text.chars().map(width).sum::<f32>() <= room;
     let whole = format!("{value}");
-    if whole.len() <= room {
+    if fits(&whole) {
         return whole;
     }
     let rounded = (0..=6).rev().map(|decimals| {
         let text = format!("{value:.decimals$}");
         if decimals == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').to_owned() }
     });
-    let is_told = |text: &String| text.len() <= room && !matches!(text.as_str(), "0" | "-0");
+    let is_told = |text: &String| fits(text) && !matches!(text.as_str(), "0" | "-0");
     rounded.into_iter().find(is_told).unwrap_or_else(|| format!("{value:.0e}"))
 }
 
@@ -91,11 +98,11 @@ mod tests {
 
     #[test]
     fn a_number_fits_its_field_and_is_never_shown_as_nothing() {
-        assert_eq!(written(0.45, 5), "0.45");
-        assert_eq!(written(0.7079, 5), "0.708");
-        assert_eq!(written(-12.3456, 5), "-12.3");
-        assert_eq!(written(0.199_999_99, 6), "0.2");
-        assert_eq!(written(0.000_012_5, 5), "1e-5");
-        assert_eq!(written(1_234_567_890.0, 6), "1e9");
+        assert_eq!(written(0.45, 5.0), "0.45");
+        assert_eq!(written(0.7079, 4.5), "0.708");
+        assert_eq!(written(-12.3456, 4.5), "-12.3");
+        assert_eq!(written(0.199_999_99, 6.0), "0.2");
+        assert_eq!(written(0.000_012_5, 5.0), "1e-5");
+        assert_eq!(written(1_234_567_890.0, 6.0), "1e9");
     }
 }
