@@ -215,9 +215,9 @@ proptest! {
 fn looking_around_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("data");
-    let mut stage = Stage::default();
-    stage.views = [lancer_document::insert::overview(&stage.scene)].into_iter().collect();
-    let mut document = Document::new(StepName::New, stage);
+    let mut first = Document::new(StepName::New, Stage::default());
+    add(&mut first, NewItem::View(None));
+    let mut document = Document::new(StepName::New, first.stage().clone());
     let mut journal = Journal::begin(&data).unwrap();
     let name = document.stage().views[0].name.clone();
     let turned = lancer_document::attribute::edit_view(document.stage(), &name, |view| view.eye.x += 1.0).unwrap();

@@ -6,6 +6,9 @@
 //! cargo run --release -p lancer-studio --example live -- --window     the window too, on the display at hand
 //! xvfb-run -s "-screen 0 1920x1080x24" cargo run --release -p lancer-studio --example live -- --window
 //! ```
+//!
+//! Numbers among the arguments are the numbers of views instead of 1, 2, 4 and 8, at most 8; `--edits 3` measures fewer
+//! edits.
 #![allow(clippy::print_stdout, clippy::unwrap_used, clippy::expect_used, reason = "a program that measures and prints")]
 
 use lancer_document::{StepName, attribute};
@@ -20,27 +23,53 @@ use std::path::Path;
 use std::sync::mpsc::channel;
 use std::time::{Duration, Instant};
 
-/// How many views there are in a row of the table.
-const VIEWS: [usize; 4] = [1, 2, 4, 8];
-/// How many edits a figure is the median of.
-const EDITS: usize = 15;
 /// How long the window is dragged in for its frames.
 const DRAG: Duration = Duration::from_secs(5);
 /// The scene's ball that is moved.
 const MOVED: f64 = 0.02;
 
+/// What is measured.
+#[derive(Clone)]
+struct Plan {
+    /// How many views there are in each row of the table.
+    views: Vec<usize>,
+    /// How many edits a figure is the median of.
+    edits: usize,
+    /// Whether the window is measured too.
+    window: bool,
+}
+
+impl Plan {
+    fn of_arguments() -> Plan {
+        let mut plan = Plan { views: Vec::new(), edits: 15, window: false };
+        let mut arguments = std::env::args().skip(1);
+        while let Some(argument) = arguments.next() {
+            match (argument.as_str(), argument.parse()) {
+                ("--window", _) => plan.window = true,
+                ("--edits", _) => plan.edits = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(15),
+                (_, Ok(count)) => plan.views.push(usize::clamp(count, 1, 8)),
+                (_, Err(_)) => println!("not known: {argument}"),
+            }
+        }
+        if plan.views.is_empty() {
+            plan.views = vec![1, 2, 4, 8];
+        }
+        plan
+    }
+}
+
 fn main() {
-    let stage = stage(8);
+    let (stage, plan) = (stage(8), Plan::of_arguments());
     println!("threads {}", std::thread::available_parallelism().map_or(1, usize::from));
-    println!("sessions alone, ms: median (worst) of {EDITS} edits");
+    println!("sessions alone, ms: median (worst) of {} edits", plan.edits);
     println!("views   first complete        all finished");
-    for count in VIEWS {
-        let (first, finished) = sessions(&stage, count);
+    for &count in &plan.views {
+        let (first, finished) = sessions(&stage, count, plan.edits);
         println!("{count:>5}   {:>20}  {:>18}", told(first), told(finished));
     }
     println!("memory after the sessions: {}", memory());
-    if std::env::args().any(|argument| argument == "--window") {
-        window(stage);
+    if plan.window {
+        window(stage, plan);
     }
 }
 
@@ -73,7 +102,7 @@ fn edit(stage: &Stage, time: usize) -> Edit {
 }
 
 /// Edits with so many sessions: the times to the first complete picture of all, and to the last pixel of all.
-fn sessions(stage: &Stage, count: usize) -> (Vec<f64>, Vec<f64>) {
+fn sessions(stage: &Stage, count: usize, edits: usize) -> (Vec<f64>, Vec<f64>) {
     let (wake, news) = channel();
     let mut renderer = Renderer::new(None, move || {
         // nobody waits any more
@@ -82,7 +111,7 @@ fn sessions(stage: &Stage, count: usize) -> (Vec<f64>, Vec<f64>) {
     let mut sessions: Vec<Session> = (0..count).map(|_| renderer.open()).collect();
     let (mut first, mut finished) = (Vec::new(), Vec::new());
     // the first picture is not measured: memory is taken for it
-    for time in 0..=EDITS {
+    for time in 0..=edits {
         let (edited, _) = stage.apply(&edit(stage, time)).unwrap();
         let begun = Instant::now();
         start(&mut sessions, &edited.scene, stage);
@@ -137,8 +166,9 @@ impl Dialogs for NoDialogs {
     }
 }
 
-fn window(stage: Stage) {
-    println!("the window, ms: median (worst) of {EDITS} edits; then {} s of dragging, an edit a frame", DRAG.as_secs());
+fn window(stage: Stage, plan: Plan) {
+    let (edits, drag) = (plan.edits, DRAG.as_secs());
+    println!("the window, ms: median (worst) of {edits} edits; then {drag} s of dragging, an edit a frame");
     println!("views   first complete        all finished   frames/s  worst frame");
     let viewport = egui::ViewportBuilder::default().with_inner_size([1920.0, 1080.0]).with_title("live");
     let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
@@ -147,7 +177,7 @@ fn window(stage: Stage) {
         let (settings, lang) = (Settings::default(), Some(Lang::English));
         let start = Start { settings, lang, stage, open: Vec::new(), dialogs, journals: None };
         let studio = Studio::new(&creation.egui_ctx, start);
-        Box::new(Measured { studio, row: 0, phase: Phase::Begin, times: (Vec::new(), Vec::new()) })
+        Box::new(Measured { studio, plan, row: 0, phase: Phase::Begin, times: (Vec::new(), Vec::new()) })
     };
     eframe::run_native("live", options, Box::new(move |creation| Ok(begin(creation)))).unwrap();
 }
@@ -164,6 +194,7 @@ enum Phase {
 
 struct Measured {
     studio: Studio,
+    plan: Plan,
     row: usize,
     phase: Phase,
     times: (Vec<f64>, Vec<f64>),
@@ -177,10 +208,10 @@ impl Measured {
 
     fn begin(&mut self, ctx: &egui::Context) {
         let views: Vec<_> = self.studio.document().stage().views.iter().map(|view| view.name.clone()).collect();
-        for view in views.iter().take(VIEWS[self.row]) {
+        for view in views.iter().take(self.plan.views[self.row]) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Show));
         }
-        for view in views.iter().skip(VIEWS[self.row]) {
+        for view in views.iter().skip(self.plan.views[self.row]) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Close));
         }
         self.studio.perform(ctx, Action::Begin(StepName::New));
@@ -219,7 +250,7 @@ impl eframe::App for Measured {
                 }
                 self.times.0.push(before.unwrap_or_else(|| begun.elapsed()).as_secs_f64() * 1e3);
                 self.times.1.push(begun.elapsed().as_secs_f64() * 1e3);
-                self.phase = if self.times.0.len() <= EDITS {
+                self.phase = if self.times.0.len() <= self.plan.edits {
                     self.next(&ctx)
                 } else {
                     let now = Instant::now();
@@ -238,11 +269,11 @@ impl eframe::App for Measured {
                 self.times = (Vec::new(), Vec::new());
                 let rate = f64::from(frames) / begun.elapsed().as_secs_f64();
                 let worst = worst.as_secs_f64() * 1e3;
-                let count = VIEWS[self.row];
+                let count = self.plan.views[self.row];
                 println!("{count:>5}   {:>20}  {:>18}  {rate:>8.1}  {worst:>8.1} ms", told(first), told(all));
                 self.studio.perform(&ctx, Action::Cancel);
                 self.row += 1;
-                if self.row == VIEWS.len() {
+                if self.row == self.plan.views.len() {
                     println!("memory with the window: {}", memory());
                     // a demonstration has nothing to save
                     std::process::exit(0);
