@@ -24,7 +24,7 @@ const FORMATS: [(Format, &str); 6] = [
 ];
 
 /// In a bar that is narrower, everything stands in one menu, so that the title has room.
-const ROOMY: f32 = 260.0;
+const ROOMY: f32 = 200.0;
 
 /// The sizes that are offered.
 const SIZES: [[u32; 2]; 6] = [[320, 240], [640, 480], [800, 600], [1280, 720], [1920, 1080], [3840, 2160]];
