@@ -7,6 +7,7 @@
 mod camera;
 mod cancel;
 mod channels;
+mod engine;
 pub mod explain;
 pub mod observe;
 mod pick;
