@@ -2,3 +2,4 @@
 #![allow(dead_code, unused_imports, reason = "the kernels that use the lanes are still to come")]
 
 mod lanes;
+mod power;

@@ -13,7 +13,7 @@
 //! feature, which is the kernel's entry, and only where nothing in between stays a call.
 
 #[cfg(test)]
-mod agree;
+pub(crate) mod agree;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod portable;
