@@ -1,8 +1,9 @@
 //! One object of the scene as rays meet it.
 
 use super::facets::Facets;
-use super::hierarchy::Bounds;
+use super::packs::Packs;
 use super::{Surfaces, contains};
+use crate::bvh::Bounds;
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use glam::DVec3;
 use lancer_scene::{Enclosure, Name, Object, Shape, box_facets};
@@ -40,7 +41,7 @@ pub(crate) enum Extent {
 }
 
 impl Body {
-    pub(crate) fn compile(object: &Object, surfaces: &mut Surfaces) -> Body {
+    pub(crate) fn compile(object: &Object, surfaces: &mut Surfaces, packs: &mut Packs) -> Body {
         let surface = surfaces.number(&object.material);
         let mut medium = surfaces.is_transparent(surface).then_some(surface);
         let solid = Extent::Volume { inverted: false };
@@ -56,11 +57,11 @@ impl Body {
                 (Geometry::Facets(Facets::separate(facets.as_ref().map_or(&[], |facets| facets))), solid)
             }
             Shape::Mesh(mesh) => {
-                let facets = Facets::of_mesh(mesh, surfaces);
+                let facets = Facets::of_mesh(mesh, surfaces, packs);
                 medium = facets.surfaces(surface).find(|surface| surfaces.is_transparent(*surface));
                 // only a medium needs to know what it encloses
-                let enclosure = if medium.is_some() { mesh.enclosure() } else { Enclosure::Sheet };
-                let extent = match enclosure {
+                let enclosure = if medium.is_some() { facets.packed().enclosure() } else { Enclosure::Sheet };
+                let extent = match enclosure.placed(&mesh.placement) {
                     Enclosure::Volume { inverted } => Extent::Volume { inverted },
                     Enclosure::Sheet => Extent::Sheet,
                 };
@@ -77,7 +78,7 @@ impl Body {
                 Some(Bounds { low: *center - DVec3::splat(*radius), high: *center + DVec3::splat(*radius) }.widened())
             }
             Geometry::Plane { .. } => None,
-            Geometry::Facets(facets) => facets.hierarchy().bounds(),
+            Geometry::Facets(facets) => facets.bounds().map(Bounds::widened),
         }
     }
 
@@ -92,8 +93,7 @@ impl Body {
                 normal.dot(point - *p0) < 0.0 && !lies_in_plane(point, *p0, *p1, *p2)
             }
             (Geometry::Facets(facets), _) => {
-                facets.hierarchy().bounds().is_some_and(|bounds| bounds.contains(point))
-                    && contains::closed(facets, point)
+                facets.bounds().is_some_and(|bounds| bounds.contains(point)) && contains::closed(facets, point)
             }
         }
     }

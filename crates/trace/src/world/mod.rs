@@ -5,14 +5,17 @@
 mod body;
 mod contains;
 mod facets;
-pub(crate) mod hierarchy;
+mod packed;
+mod packs;
+mod placed;
 
 pub(crate) use body::{Body, Extent, Geometry};
 pub(crate) use facets::Facets;
 
+use crate::bvh::Bvh;
 use glam::DVec3;
-use hierarchy::{Bounds, Hierarchy};
 use lancer_scene::{Color, Environment, MaterialRef, Name, Rgb, Scene, Surface};
+use packs::Packs;
 use std::collections::HashMap;
 
 /// A scene ready for rays.
@@ -24,8 +27,8 @@ pub struct World {
     bodies: Vec<Body>,
     /// Bodies without bounds: every ray is tried against them.
     unbounded: Vec<u32>,
-    /// The other bodies; an item is a place in `bounded`.
-    hierarchy: Hierarchy,
+    /// The hierarchy over the other bodies, and their numbers in the order of its leaves.
+    bvh: Bvh,
     bounded: Vec<u32>,
 }
 
@@ -42,11 +45,12 @@ impl World {
     /// are left out.
     pub fn compile(scene: &Scene) -> World {
         let mut surfaces = Surfaces::of(scene);
+        let mut packs = Packs::default();
         let bodies: Vec<Body> = scene
             .objects
             .iter()
             .filter(|object| object.visible)
-            .map(|object| Body::compile(object, &mut surfaces))
+            .map(|object| Body::compile(object, &mut surfaces, &mut packs))
             .collect();
         let lamps = scene
             .lights
@@ -66,15 +70,9 @@ impl World {
                 (None, Geometry::Sphere { .. } | Geometry::Facets(_)) => {}
             }
         }
-        World {
-            environment: scene.world.clone(),
-            surfaces: surfaces.list,
-            lamps,
-            hierarchy: Hierarchy::build(&bounds),
-            bodies,
-            unbounded,
-            bounded,
-        }
+        let (bvh, order) = Bvh::build(&bounds);
+        let bounded = order.into_iter().map(|item| bounded[item as usize]).collect();
+        World { environment: scene.world.clone(), surfaces: surfaces.list, lamps, bodies, unbounded, bvh, bounded }
     }
 
     /// Ambient light, background, medium, depth and composition.
@@ -102,9 +100,9 @@ impl World {
         &self.unbounded
     }
 
-    /// The hierarchy over the bounded bodies, and what its items mean.
-    pub(crate) fn bounded(&self) -> (&Hierarchy, &[u32]) {
-        (&self.hierarchy, &self.bounded)
+    /// The hierarchy over the bounded bodies, and their numbers in the order of its leaves.
+    pub(crate) fn bounded(&self) -> (&Bvh, &[u32]) {
+        (&self.bvh, &self.bounded)
     }
 }
 
@@ -194,12 +192,5 @@ impl Media {
         // stable: equal diagonals stay in document order
         inside.sort_by(|(_, _, a), (_, _, b)| b.total_cmp(a));
         Media(inside.into_iter().map(|(number, medium, _)| (number, world.surface(medium).index)).collect())
-    }
-}
-
-impl Bounds {
-    /// The length from the least to the greatest corner.
-    pub(crate) fn diagonal(&self) -> f64 {
-        (self.high - self.low).length()
     }
 }
