@@ -26,4 +26,4 @@ pub use pick::Picked;
 pub use ray::{Ray, RayKind};
 pub use reference::{TraceError, Tracer};
 pub use settings::Settings;
-pub use world::World;
+pub use world::{BuildStats, World};

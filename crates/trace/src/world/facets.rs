@@ -1,13 +1,13 @@
 //! A set of facets in a scene: shared geometry with its hierarchy, where it stands, surfaces of parts, smooth normals.
 
-use super::Surfaces;
 use super::packed::Packed;
 use super::packs::Packs;
 use super::placed::{Carrying, Placed};
+use super::surfaces::Surfaces;
 use crate::Ray;
 use crate::bvh::{Block, Bounds, Bvh, Margin, Sight};
 use glam::{DMat3, DVec3};
-use lancer_scene::Mesh;
+use lancer_scene::{Mesh, Part};
 use std::sync::Arc;
 
 /// Facets in the order of the document. A clone costs a few counters.
@@ -33,14 +33,10 @@ impl Facets {
         Facets::flat(Arc::new(Packed::separate(facets)))
     }
 
-    /// The facets of a mesh where its placement brings them.
-    pub(crate) fn of_mesh(mesh: &Mesh, surfaces: &mut Surfaces, packs: &mut Packs) -> Facets {
+    /// The facets of a mesh where its placement brings them, without parts.
+    pub(crate) fn of_mesh(mesh: &Mesh, packs: &Packs) -> Facets {
         let carrying = Carrying::of(&mesh.placement);
-        let baking = match carrying {
-            Carrying::Nothing | Carrying::Rays { .. } => None,
-            Carrying::Facets { linear } => Some((linear, mesh.placement.position)),
-        };
-        let packed = packs.get(&mesh.geometry, baking);
+        let packed = packs.get(mesh);
         let placed = match carrying {
             Carrying::Nothing | Carrying::Facets { .. } => None,
             Carrying::Rays { linear, inverse } => {
@@ -51,18 +47,24 @@ impl Facets {
                 Some(Arc::new(Placed::new((linear, inverse), mesh.placement.position, packed.bvh(), corners)))
             }
         };
-        let parts = mesh
-            .geometry
-            .parts
-            .iter()
-            .map(|part| (part.first, part.first.saturating_add(part.count), surfaces.number(&part.material)))
-            .collect();
         let normals = mesh.smooth.then(|| {
             // the cross products of the linear part's columns: P0P1 × P0P2 goes by them, as every normal does
             let DMat3 { x_axis: x, y_axis: y, z_axis: z } = mesh.placement.linear();
             Arc::new(DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)))
         });
-        Facets { packed, placed, normals, parts }
+        Facets { packed, placed, normals, parts: Arc::default() }
+    }
+
+    /// The facets with these parts, whose materials are given their numbers.
+    #[must_use]
+    pub(crate) fn with_parts(mut self, parts: &[Part], surfaces: &mut Surfaces) -> Facets {
+        let end = |part: &Part| part.first.saturating_add(part.count);
+        let parts: Vec<(u32, u32, u32)> =
+            parts.iter().map(|part| (part.first, end(part), surfaces.number(&part.material))).collect();
+        if *self.parts != *parts {
+            self.parts = parts.into();
+        }
+        self
     }
 
     /// What the facets share with others of the same geometry.

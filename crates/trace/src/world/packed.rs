@@ -5,6 +5,7 @@ use crate::bvh::{Block, Bounds, Bvh, Child, Frame, NO_FACET};
 use glam::DVec3;
 use lancer_scene::{Enclosure, MeshGeometry};
 use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 /// Facets in the order of the document, with their hierarchy.
 #[derive(Debug)]
@@ -16,6 +17,7 @@ pub(crate) struct Packed {
     len: u32,
     bvh: Bvh,
     blocks: Vec<Block>,
+    build_time: Duration,
     smooth_normals: OnceLock<Vec<DVec3>>,
     enclosure: OnceLock<Enclosure>,
 }
@@ -23,6 +25,7 @@ pub(crate) struct Packed {
 impl Packed {
     /// Packs a geometry where it is, or its vertices where they were `baked` to.
     pub(crate) fn new(geometry: Arc<MeshGeometry>, baked: Option<Vec<DVec3>>) -> Packed {
+        let begun = Instant::now();
         let positions = baked.as_ref().unwrap_or(&geometry.positions);
         let exists = |facet: &&[u32; 3]| facet.iter().all(|&vertex| (vertex as usize) < positions.len());
         let facets = || geometry.facets.iter().take(Child::PLACES).take_while(exists);
@@ -44,7 +47,7 @@ impl Packed {
             .collect();
         debug_assert!(order.iter().all(|&facet| facet < len || facet == NO_FACET));
         let (smooth_normals, enclosure) = (OnceLock::new(), OnceLock::new());
-        Packed { len, bvh, blocks, smooth_normals, enclosure, baked, geometry }
+        Packed { len, bvh, blocks, build_time: begun.elapsed(), smooth_normals, enclosure, baked, geometry }
     }
 
     /// Facets that are given by their corners.
@@ -78,6 +81,11 @@ impl Packed {
     /// The facets in the order of the leaves.
     pub(crate) fn blocks(&self) -> &[Block] {
         &self.blocks
+    }
+
+    /// How long it took to build hierarchy and blocks.
+    pub(crate) fn build_time(&self) -> Duration {
+        self.build_time
     }
 
     /// A normal for each vertex before placement, not of unit length: the file's, or else at each place the sum of
