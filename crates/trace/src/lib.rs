@@ -4,6 +4,7 @@
 //! tells an [`Observer`] everything it computes. The [reference](mod@reference) is the subject's text in f64, one function a
 //! formula: it is the truth that faster engines are held to, and the explanation of a pixel.
 
+mod bvh;
 mod camera;
 mod cancel;
 mod channels;
@@ -26,4 +27,4 @@ pub use pick::Picked;
 pub use ray::{Ray, RayKind};
 pub use reference::{TraceError, Tracer};
 pub use settings::Settings;
-pub use world::World;
+pub use world::{BuildStats, World};
