@@ -52,8 +52,9 @@ impl Path<'_> {
         if block.level >= self.settings.depth || !(steps.reflection || steps.transparency) {
             return;
         }
-        let leaving: PerPacket<Leaving> =
-            (0..points.len()).map(|place| self.leaving(&block.packets[place], &points[place], &groups[place])).collect();
+        let leaving: PerPacket<Leaving> = (0..points.len())
+            .map(|place| self.leaving(&block.packets[place], &points[place], &groups[place]))
+            .collect();
         if leaving.iter().any(|leaving| any(&leaving.mirrored) | any(&leaving.total) != 0) {
             B::enter(Reflect { path: self, block, points, leaving: &leaving, mirrored, refracted });
         }

@@ -2,10 +2,10 @@
 
 use super::dispatch::{Backend, Simd, Step, enter};
 use super::hidden_surfaces::Nearest;
+use super::lanes::{Mask, Real};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::shadows::{Blocked, ToLamp};
 use super::vector::Vector;
-use super::lanes::{Mask, Real};
 use crate::{Ray, RayKind, World};
 use glam::DVec3;
 

@@ -4,9 +4,9 @@
 //! that may use its instructions. Recursion and the larger steps go through these functions again.
 #![allow(unsafe_code, reason = "calls functions that are compiled for more instructions than the program as a whole")]
 
-use super::lanes::{Lanes, Portable};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::Avx2;
+use super::lanes::{Lanes, Portable};
 
 /// The instructions that the engine uses. The pictures are the same, byte for byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -9,7 +9,7 @@ use crate::World;
 use crate::bvh::{Beam, Block as Facets4, LeafBox, NO_FACET, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::{Facets, Geometry};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::ops::Range;
 
 /// An f32 that is not less than a distance.
@@ -186,14 +186,19 @@ pub(super) fn facets_beam<'f, L: Lanes>(
             continue;
         }
         if let Some((linear, position)) = facets.to_local() {
-            let columns = [linear.x_axis, linear.y_axis, linear.z_axis].map(Vector::splat);
-            let local = |v: Vector<L::Real>| columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
-            origin = local(start - Vector::splat(*position));
-            direction = local(direction);
+            origin = product(linear, start - Vector::splat(*position));
+            direction = product(linear, direction);
         }
         beam.push(start, (origin, direction), lanes, outer.limit(place));
     }
     beam
+}
+
+/// A matrix times vectors.
+#[inline(always)]
+fn product<R: Real>(matrix: &DMat3, vector: Vector<R>) -> Vector<R> {
+    let [x, y, z] = [Vector::splat(matrix.x_axis), Vector::splat(matrix.y_axis), Vector::splat(matrix.z_axis)];
+    x * vector.x + y * vector.y + z * vector.z
 }
 
 /// Tries the facets of leaves.

@@ -48,12 +48,7 @@ impl<W: Borrow<World>> Engine<W> {
 
     /// The colours of pixels, counted from the top left, in their order: of each the mean of its clamped samples in row
     /// order. Pixels that stand near each other should be near in the list.
-    pub fn pixels(
-        &self,
-        pixels: &[(u32, u32)],
-        colors: &mut Vec<Result<Rgb, TraceError>>,
-        counts: &mut RayCounts,
-    ) {
+    pub fn pixels(&self, pixels: &[(u32, u32)], colors: &mut Vec<Result<Rgb, TraceError>>, counts: &mut RayCounts) {
         let image = Image {
             world: self.world.borrow(),
             camera: &self.camera,
@@ -175,14 +170,7 @@ impl Image<'_> {
 
     /// The rays through one sample position of eight pixels.
     #[inline(always)]
-    fn primary<B: Backend>(
-        &self,
-        pixels: &[(u32, u32)],
-        sample: u32,
-        place: usize,
-        mask: u8,
-        media: u32,
-    ) -> Packet<B> {
+    fn primary<B: Backend>(&self, pixels: &[(u32, u32)], sample: u32, place: usize, mask: u8, media: u32) -> Packet<B> {
         let k = self.camera.samples();
         let (row, column) = (sample / k, sample % k);
         let offset = |number: u32| (f64::from(number) + 0.5) / f64::from(k);

@@ -37,11 +37,7 @@ pub(super) fn splat<L: Lanes>(color: Rgb) -> Colors<L> {
 /// `yes` in the lanes of the mask, `no` in the others.
 #[inline(always)]
 pub(super) fn select<L: Lanes>(mask: L::Mask, yes: &Colors<L>, no: &Colors<L>) -> Colors<L> {
-    [
-        L::Real::select(mask, yes[0], no[0]),
-        L::Real::select(mask, yes[1], no[1]),
-        L::Real::select(mask, yes[2], no[2]),
-    ]
+    [L::Real::select(mask, yes[0], no[0]), L::Real::select(mask, yes[1], no[1]), L::Real::select(mask, yes[2], no[2])]
 }
 
 /// Adds the light of a lamp to a sum: `(Kd·cos l + W(l)·cosⁿ s)·I_L` (subject §2.2, §2.3).

@@ -56,9 +56,10 @@ impl Stacks {
         while place != 0 {
             let entry = self.entries[place as usize];
             if entry.body == body {
-                return above.iter().rev().fold(entry.below, |stack, kept: &Entry| {
-                    self.entered(stack, kept.body, kept.index)
-                });
+                return above
+                    .iter()
+                    .rev()
+                    .fold(entry.below, |stack, kept: &Entry| self.entered(stack, kept.body, kept.index));
             }
             above.push(entry);
             place = entry.below;

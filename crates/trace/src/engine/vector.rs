@@ -74,11 +74,7 @@ impl<R: Real> Vector<R> {
     /// `yes` in the lanes of the mask, `no` in the others.
     #[inline(always)]
     pub(crate) fn select(mask: R::Mask, yes: Vector<R>, no: Vector<R>) -> Vector<R> {
-        Vector {
-            x: R::select(mask, yes.x, no.x),
-            y: R::select(mask, yes.y, no.y),
-            z: R::select(mask, yes.z, no.z),
-        }
+        Vector { x: R::select(mask, yes.x, no.x), y: R::select(mask, yes.y, no.y), z: R::select(mask, yes.z, no.z) }
     }
 
     /// The vectors turned against others: negated where the scalar product is positive.
