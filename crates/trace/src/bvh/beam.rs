@@ -120,9 +120,8 @@ impl<'b, L: Lanes> Beam<'b, L> {
         limit: f32,
     ) {
         let margin = L::Real::splat(self.margin.fixed) + L::Real::splat(self.margin.per_origin) * start.greatest();
-        let single = |vector: Vector<L::Real>| [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)];
-        let origin = single(origin - Vector::splat(self.bvh.origin()));
-        let direction = single(direction);
+        let origin = narrow::<L>(origin - Vector::splat(self.bvh.origin()));
+        let direction = narrow::<L>(direction);
         let farthest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
         // as if the coordinates were so great that their rounding is the margin
         let coordinates = farthest + L::Single::splat(self.extent) + L::narrow(margin) * L::Single::splat(2.0 / WIDER);
@@ -312,13 +311,13 @@ impl Interval {
     fn of<L: Lanes>(origin: &[L::Single; 3], wider: L::Single, inverse: &[L::Single; 3], mask: u8) -> Interval {
         let mask = <L::Single as Single>::Mask::from_bits(mask);
         let most = L::Single::splat(f32::INFINITY);
-        let range = |low: L::Single, high: L::Single| {
-            [L::Single::select(mask, low, most).least(), L::Single::select(mask, high, -most).greatest()]
-        };
         let mut interval = Interval::EMPTY;
         for axis in 0..3 {
-            interval.start[axis] = range(origin[axis] - wider, origin[axis] + wider);
-            interval.inverse[axis] = range(inverse[axis], inverse[axis]);
+            let (low, high) = (origin[axis] - wider, origin[axis] + wider);
+            interval.start[axis][0] = L::Single::select(mask, low, most).least();
+            interval.start[axis][1] = L::Single::select(mask, high, -most).greatest();
+            interval.inverse[axis][0] = L::Single::select(mask, inverse[axis], most).least();
+            interval.inverse[axis][1] = L::Single::select(mask, inverse[axis], -most).greatest();
         }
         interval
     }
@@ -343,8 +342,10 @@ impl Interval {
     fn meet<L: Lanes>(&self, node: &Node, farthest: f32) -> (u8, [f32; WIDTH]) {
         let (mut near, mut far) = (L::Single::splat(0.0), L::Single::splat(farthest));
         for axis in 0..3 {
-            let [low, high] = self.start[axis].map(L::Single::splat);
-            let [least, greatest] = one_sided(self.inverse[axis]).map(L::Single::splat);
+            let [low, high] = self.start[axis];
+            let (low, high) = (L::Single::splat(low), L::Single::splat(high));
+            let [least, greatest] = one_sided(self.inverse[axis]);
+            let (least, greatest) = (L::Single::splat(least), L::Single::splat(greatest));
             let node_low = L::Single::load(&node.low[axis]);
             let node_high = L::Single::load(&node.high[axis]);
             let (enter, leave) = slab::<L>(node_low - high, node_high - low, least, greatest);
@@ -353,6 +354,12 @@ impl Interval {
         }
         (near.le(far * L::Single::splat(LONGER)).bits(), near.store())
     }
+}
+
+/// Vectors in f32.
+#[inline(always)]
+fn narrow<L: Lanes>(vector: Vector<L::Real>) -> [L::Single; 3] {
+    [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)]
 }
 
 /// The least and the greatest of two ranges.

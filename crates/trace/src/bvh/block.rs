@@ -40,6 +40,13 @@ impl Block {
         block
     }
 
+    /// The facets of blocks: the lanes that hold one, block by block.
+    #[inline(always)]
+    pub(crate) fn lanes(blocks: &[Block]) -> impl Iterator<Item = (&Block, usize)> {
+        let all = blocks.iter().flat_map(|block| (0..Block::FACETS).map(move |lane| (block, lane)));
+        all.filter(|(block, lane)| block.facets[*lane] != NO_FACET)
+    }
+
     /// The facets that are there.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = u32> + '_ {
         self.facets.iter().copied().filter(|&facet| facet != NO_FACET)

@@ -52,9 +52,10 @@ impl Path<'_> {
         if block.level >= self.settings.depth || !(steps.reflection || steps.transparency) {
             return;
         }
-        let leaving: PerPacket<Leaving> = (0..points.len())
-            .map(|place| self.leaving(&block.packets[place], &points[place], &groups[place]))
-            .collect();
+        let mut leaving: PerPacket<Leaving> = PerPacket::new();
+        for place in 0..points.len() {
+            leaving.push(self.leaving(&block.packets[place], &points[place], &groups[place]));
+        }
         if leaving.iter().any(|leaving| any(&leaving.mirrored) | any(&leaving.total) != 0) {
             B::enter(Reflect { path: self, block, points, leaving: &leaving, mirrored, refracted });
         }

@@ -6,7 +6,7 @@ use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{Vector, equal, lanes, mask};
 use crate::World;
-use crate::bvh::{Beam, Block as Facets4, LeafBox, NO_FACET, Visit};
+use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::{Facets, Geometry};
 use glam::{DMat3, DVec3};
@@ -42,7 +42,9 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
         facet: [0; 8],
     };
     hits.clear();
-    hits.extend(block.packets.iter().map(|_| nowhere));
+    for _ in &block.packets {
+        hits.push(nowhere);
+    }
     for &number in world.unbounded() {
         if let Geometry::Plane { p0, p1, p2, .. } = &world.body(number).geometry {
             let normal = (p1 - p0).cross(p2 - p0);
@@ -158,10 +160,11 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
     #[inline(always)]
     fn run(self) {
         let OnFacets { facets, body, block, hits, beam, packets } = self;
-        let mut within = facets_beam(facets, packets, beam, |place| {
-            let packet = &block.packets[place];
-            (packet.origin, packet.direction, packet.mask)
-        });
+        let mut within = Beam::new(facets.bvh(), facets.margin());
+        for (place, packet) in block.packets.iter().enumerate() {
+            let mask = if packets >> place & 1 == 1 { packet.mask } else { 0 };
+            send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
+        }
         within.traverse(&mut FacetLeaves { facets, body, block, hits });
         for place in lanes(packets) {
             beam.shorten(place, within.limit(place));
@@ -169,29 +172,23 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
     }
 }
 
-/// The rays of some packets in the space of a set of facets.
+/// Adds a packet to a beam in the space of a set of facets. Those without rays keep their places.
 #[inline(always)]
-pub(super) fn facets_beam<'f, L: Lanes>(
-    facets: &'f Facets,
-    packets: u8,
-    outer: &Beam<'_, L>,
-    rays: impl Fn(usize) -> (Vector<L::Real>, Vector<L::Real>, u8),
-) -> Beam<'f, L> {
-    let mut beam = Beam::new(facets.bvh(), facets.margin());
-    for place in 0..outer.packets.len() {
-        let (start, mut direction, lanes) = rays(place);
-        let mut origin = start;
-        if packets >> place & 1 == 0 {
-            beam.skip();
-            continue;
-        }
-        if let Some((linear, position)) = facets.to_local() {
-            origin = product(linear, start - Vector::splat(*position));
-            direction = product(linear, direction);
-        }
-        beam.push(start, (origin, direction), lanes, outer.limit(place));
+pub(super) fn send<L: Lanes>(
+    beam: &mut Beam<'_, L>,
+    facets: &Facets,
+    (start, direction): (Vector<L::Real>, Vector<L::Real>),
+    mask: u8,
+    limit: f32,
+) {
+    if mask == 0 {
+        beam.skip();
+    } else if let Some((linear, position)) = facets.to_local() {
+        let origin = product(linear, start - Vector::splat(*position));
+        beam.push(start, (origin, product(linear, direction)), mask, limit);
+    } else {
+        beam.push(start, (start, direction), mask, limit);
     }
-    beam
 }
 
 /// A matrix times vectors.
@@ -234,7 +231,8 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
             let (rays, packet) = (&self.beam.packets[place], &block.packets[place]);
             let reach = self.place.reach(rays);
             let mut better = false;
-            for (number, lane, block) in facets_of(blocks) {
+            for (block, lane) in Facets4::lanes(blocks) {
+                let number = block.facets[lane];
                 let may = may_meet(rays, reach, block, lane);
                 if may == 0 {
                     continue;
@@ -252,13 +250,6 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
             }
         }
     }
-}
-
-/// The facets of blocks: their numbers, and where they are.
-#[inline(always)]
-pub(super) fn facets_of(blocks: &[Facets4]) -> impl Iterator<Item = (u32, usize, &Facets4)> {
-    let all = blocks.iter().flat_map(|block| (0..Facets4::FACETS).map(move |lane| (block.facets[lane], lane, block)));
-    all.filter(|(number, ..)| *number != NO_FACET)
 }
 
 /// The hits without those of rays that start on the very facet: on the body, or as primary rays, in the facet's plane.

@@ -128,7 +128,10 @@ impl Image<'_> {
         path.spent = [0; PACKETS];
         let zero = B::Real::splat(0.0);
         let packets = pixels.len().div_ceil(8);
-        let mut sums: PerPacket<Colors<B>> = (0..packets).map(|_| [zero; 3]).collect();
+        let mut sums: PerPacket<Colors<B>> = PerPacket::new();
+        for _ in 0..packets {
+            sums.push([zero; 3]);
+        }
         // the pixels that are not numbers
         let mut not_finite = [0_u8; PACKETS];
         let samples = self.camera.samples();
@@ -141,9 +144,8 @@ impl Image<'_> {
             }
             B::enter(Trace { path, block: &mut block, colors: &mut seen });
             for (place, seen) in seen.iter().enumerate() {
-                let [r, g, b] = [0, 1, 2].map(|channel: usize| seen[channel].abs());
                 let infinite = B::Real::splat(f64::INFINITY);
-                let finite = r.lt(infinite) & g.lt(infinite) & b.lt(infinite);
+                let finite = seen[0].abs().lt(infinite) & seen[1].abs().lt(infinite) & seen[2].abs().lt(infinite);
                 not_finite[place] |= !finite.bits() & block.packets[place].mask & !path.spent[place];
                 for channel in 0..3 {
                     sums[place][channel] = sums[place][channel] + clamp01(seen[channel]);
@@ -152,7 +154,8 @@ impl Image<'_> {
         }
         let count = B::Real::splat(f64::from(samples * samples));
         for (place, colors) in colors.chunks_mut(8).enumerate() {
-            let [r, g, b] = [0, 1, 2].map(|channel: usize| (sums[place][channel] / count).store());
+            let [r, g, b] = &sums[place];
+            let (r, g, b) = ((*r / count).store(), (*g / count).store(), (*b / count).store());
             for (lane, color) in colors.iter_mut().enumerate() {
                 let has = |mask: u8| mask >> lane & 1 == 1;
                 *color = if path.cancelled {

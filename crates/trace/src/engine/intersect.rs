@@ -95,21 +95,26 @@ const SLACK: f32 = 1.0 / 32_768.0;
 #[inline(always)]
 pub(super) fn may_meet<L: Lanes>(rays: &Shadow<L>, reach: L::Single, block: &Block, lane: usize) -> u8 {
     let slack = rays.spread * reach * L::Single::splat(SLACK);
-    let corner = |number: usize| {
-        let [x, y, z] = [0, 1, 2].map(|axis| block.corners[number][axis][lane]);
-        [
-            L::Single::splat(x) - rays.origin[0],
-            L::Single::splat(y) - rays.origin[1],
-            L::Single::splat(z) - rays.origin[2],
-        ]
-    };
-    let (a, b, c) = (corner(0), corner(1), corner(2));
+    let a = seen_corner::<L>(rays, block, 0, lane);
+    let b = seen_corner::<L>(rays, block, 1, lane);
+    let c = seen_corner::<L>(rays, block, 2, lane);
     let rest = rough_edge::<L>(&rays.direction, &b, &c);
     let alpha = rough_edge::<L>(&rays.direction, &c, &a);
     let beta = rough_edge::<L>(&rays.direction, &a, &b);
     let least = rest.min(alpha).min(beta);
     let greatest = rest.max(alpha).max(beta);
     (least.ge(-slack).bits() | greatest.le(slack).bits()) & rays.mask
+}
+
+/// A corner from where the rays start.
+#[inline(always)]
+fn seen_corner<L: Lanes>(rays: &Shadow<L>, block: &Block, corner: usize, lane: usize) -> [L::Single; 3] {
+    let [x, y, z] = &block.corners[corner];
+    [
+        L::Single::splat(x[lane]) - rays.origin[0],
+        L::Single::splat(y[lane]) - rays.origin[1],
+        L::Single::splat(z[lane]) - rays.origin[2],
+    ]
 }
 
 #[inline(always)]

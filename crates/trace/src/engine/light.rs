@@ -31,7 +31,7 @@ pub(super) fn add<L: Lanes>(compose: Compose, sum: &Colors<L>, term: &Colors<L>)
 /// The same colour in every lane.
 #[inline(always)]
 pub(super) fn splat<L: Lanes>(color: Rgb) -> Colors<L> {
-    color.to_array().map(L::Real::splat)
+    [L::Real::splat(color.r), L::Real::splat(color.g), L::Real::splat(color.b)]
 }
 
 /// `yes` in the lanes of the mask, `no` in the others.

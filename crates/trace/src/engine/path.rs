@@ -89,11 +89,17 @@ impl Path<'_> {
         if block.level == 0 {
             self.counts.primary_hits += points.iter().map(|points| u64::from(points.mask.count_ones())).sum::<u64>();
         }
-        let groups: PerPacket<Groups> = points.iter().map(grouped).collect();
+        let mut groups: PerPacket<Groups> = PerPacket::new();
+        for points in &points {
+            groups.push(grouped(points));
+        }
 
         let mark = self.stacks.mark();
         let zero = [B::Real::splat(0.0); 3];
-        let mut mirrored: PerPacket<Colors<B>> = points.iter().map(|_| zero).collect();
+        let mut mirrored: PerPacket<Colors<B>> = PerPacket::new();
+        for _ in &points {
+            mirrored.push(zero);
+        }
         let mut refracted = mirrored.clone();
         self.secondary(block, &points, &groups, &mut mirrored, &mut refracted);
         self.stacks.forget(mark);
@@ -117,7 +123,7 @@ impl Path<'_> {
 
         let background = splat::<B>(environment.background);
         for ((packet, points), sum) in block.packets.iter().zip(&points).zip(&sums) {
-            let seen = sum.map(clamp01);
+            let seen = [clamp01(sum[0]), clamp01(sum[1]), clamp01(sum[2])];
             let mut color = select::<B>(mask::<B::Real>(points.mask), &seen, &background);
             for channel in 0..3 {
                 let carried = packet.channels[channel];
@@ -173,7 +179,7 @@ impl Path<'_> {
             if rays.is_empty() {
                 continue;
             }
-            let mut blocked: PerPacket<u8> = rays.iter().map(|_| 0).collect();
+            let mut blocked: PerPacket<u8> = PerPacket::from([0; PACKETS]);
             if self.settings.steps.shadows {
                 B::enter(Blocked { world, lamp: lamp.position, rays: &rays, blocked: &mut blocked });
             }

@@ -4,13 +4,13 @@
 //! What is left is decided for the rays from the points, as the reference does.
 
 use super::dispatch::{Backend, Step};
-use super::hidden_surfaces::{UPWARDS, facets_beam, facets_of, not_started_on};
+use super::hidden_surfaces::{UPWARDS, not_started_on, send};
 use super::intersect::{facet, may_meet, plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::World;
-use crate::bvh::{Beam, LeafBox, Visit};
+use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::{Facets, Geometry};
 use glam::DVec3;
@@ -42,7 +42,9 @@ impl<B: Backend> Step<B> for Blocked<'_, B> {
 #[inline(always)]
 fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, blocked: &mut PerPacket<u8>) {
     blocked.clear();
-    blocked.extend(rays.iter().map(|_| 0));
+    for _ in rays {
+        blocked.push(0);
+    }
     for &number in world.unbounded() {
         if let Geometry::Plane { p0, p1, p2, .. } = &world.body(number).geometry {
             if lies_in_plane(lamp, *p0, *p1, *p2) {
@@ -145,10 +147,11 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
     #[inline(always)]
     fn run(self) {
         let OnFacets { facets, body, lamp, rays, blocked, beam, packets } = self;
-        let mut within = facets_beam(facets, packets, beam, |place| {
-            let packet = &rays[place].packet;
-            (Vector::splat(lamp), -packet.direction, packet.mask & !blocked[place])
-        });
+        let mut within = Beam::new(facets.bvh(), facets.margin());
+        for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
+            let mask = if packets >> place & 1 == 1 { packet.mask & !blocked[place] } else { 0 };
+            send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
+        }
         within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
     }
 }
@@ -186,7 +189,8 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
         for place in lanes(self.packets) {
             let ToLamp { packet, distance } = &rays[place];
             let reach = self.place.reach(&self.beam.packets[place]);
-            for (number, lane, block) in facets_of(blocks) {
+            for (block, lane) in Facets4::lanes(blocks) {
+                let number = block.facets[lane];
                 let may = may_meet(&self.beam.packets[place], reach, block, lane) & !blocked[place];
                 if may == 0 {
                     continue;

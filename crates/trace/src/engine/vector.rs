@@ -118,14 +118,26 @@ impl<R: Real> Mul<R> for Vector<R> {
 
 /// The lanes of a mask, least first.
 #[inline(always)]
-pub(crate) fn lanes(mut bits: u8) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = bits.trailing_zeros() as usize;
-        (bits != 0).then(|| {
-            bits &= bits - 1;
-            lane
-        })
-    })
+pub(crate) fn lanes(bits: u8) -> LaneNumbers {
+    LaneNumbers(bits)
+}
+
+/// See [`lanes`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LaneNumbers(u8);
+
+impl Iterator for LaneNumbers {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.0 == 0 {
+            return None;
+        }
+        let lane = self.0.trailing_zeros() as usize;
+        self.0 &= self.0 - 1;
+        Some(lane)
+    }
 }
 
 /// The lanes in which two lists hold the same as `value`.
