@@ -278,7 +278,7 @@ fn operands() -> impl Strategy<Value = Operands> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1024))]
+    #![proptest_config(ProptestConfig::with_cases(512))]
 
     #[test]
     fn every_operation_is_the_scalar_one(operands in operands()) {
