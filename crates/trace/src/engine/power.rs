@@ -176,6 +176,22 @@ mod tests {
         }
     }
 
+    /// One number for the bits of many results (FNV-1a), so that no compiler and no processor changes a picture unseen.
+    #[test]
+    fn the_bits_are_those_of_every_machine() {
+        for backend in 0..on_every_backend(&Power { base: [1.0; 8], exponent: [1.0; 8] }).len() {
+            let mut digest = 0xcbf2_9ce4_8422_2325_u64;
+            for i in 1..=4096 {
+                let base = [f64::from(i) / 4096.0; 8];
+                let exponent = [0.01, 0.5, 1.0, 3.3, 30.0, 125.0, 1000.0, 9999.5];
+                for result in on_every_backend(&Power { base, exponent })[backend].1 {
+                    digest = (digest ^ result.to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+                }
+            }
+            assert_eq!(digest, 0x1abd_17ef_60ba_3703, "{digest:#x}");
+        }
+    }
+
     #[test]
     fn what_is_exact() {
         for base in [f64::from_bits(1), 1e-310, 1e-200, 0.3, 0.5, 0.9999, 1.0 - U, 1.0, 1.0 + 2.0 * U] {

@@ -2,12 +2,12 @@
 //!
 //! Safety: every function here uses instructions that the machine must have. The types of this file are only ever made
 //! and used inside a function with `#[target_feature(enable = "avx2,fma")]`, which is itself called only where those
-//! features were detected; that is the reason of every unsafe block below. None touches memory but through references
-//! to whole arrays.
+//! features were detected; that is the reason of every unsafe block below.
 #![allow(unsafe_code, reason = "the instructions of AVX2 and FMA; see the module's text on why they are there")]
 
 use super::{Lanes, Mask, Real, Single, exponent};
 use std::arch::x86_64::*;
+use std::mem::transmute;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// AVX2 with FMA.
@@ -194,19 +194,15 @@ impl Real for Reals {
 
     #[inline(always)]
     fn load(lanes: &[f64; 8]) -> Self {
-        // SAFETY: called only where AVX2 is (the module's text); places 0 to 3 and 4 to 7 of an array of eight.
-        unsafe { Reals(_mm256_loadu_pd(lanes.as_ptr()), _mm256_loadu_pd(lanes.as_ptr().add(4))) }
+        // SAFETY: eight f64 either way.
+        let [low, high] = unsafe { transmute::<[f64; 8], [__m256d; 2]>(*lanes) };
+        Reals(low, high)
     }
 
     #[inline(always)]
     fn store(self) -> [f64; 8] {
-        let mut lanes = [0.0; 8];
-        // SAFETY: this type exists only where AVX2 is (the module's text); places 0 to 3 and 4 to 7 of an array of eight.
-        unsafe {
-            _mm256_storeu_pd(lanes.as_mut_ptr(), self.0);
-            _mm256_storeu_pd(lanes.as_mut_ptr().add(4), self.1);
-        }
-        lanes
+        // SAFETY: eight f64 either way.
+        unsafe { transmute::<[__m256d; 2], [f64; 8]>([self.0, self.1]) }
     }
 
     #[inline(always)]
@@ -307,22 +303,20 @@ impl Single for Singles {
 
     #[inline(always)]
     fn load(lanes: &[f32; 8]) -> Self {
-        // SAFETY: called only where AVX2 is (the module's text); an array of eight.
-        Singles(unsafe { _mm256_loadu_ps(lanes.as_ptr()) })
+        // SAFETY: eight f32 either way.
+        Singles(unsafe { transmute::<[f32; 8], __m256>(*lanes) })
     }
 
     #[inline(always)]
     fn of_halves(low: &[f32; 4], high: &[f32; 4]) -> Self {
-        // SAFETY: called only where AVX2 is (the module's text); arrays of four.
-        Singles(unsafe { _mm256_loadu2_m128(high.as_ptr(), low.as_ptr()) })
+        // SAFETY: eight f32 either way.
+        Singles(unsafe { transmute::<[[f32; 4]; 2], __m256>([*low, *high]) })
     }
 
     #[inline(always)]
     fn store(self) -> [f32; 8] {
-        let mut lanes = [0.0; 8];
-        // SAFETY: this type exists only where AVX2 is (the module's text); an array of eight.
-        unsafe { _mm256_storeu_ps(lanes.as_mut_ptr(), self.0) };
-        lanes
+        // SAFETY: eight f32 either way.
+        unsafe { transmute::<__m256, [f32; 8]>(self.0) }
     }
 
     #[inline(always)]

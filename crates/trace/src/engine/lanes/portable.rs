@@ -100,15 +100,15 @@ macro_rules! mask {
     ($bits:ty) => {
         impl Flags<$bits> {
             #[inline(always)]
-            fn of(truths: [bool; 8]) -> Self {
-                Flags(truths.map(|truth| <$bits>::from(truth).wrapping_neg()))
+            fn of(truth: impl Fn(usize) -> bool) -> Self {
+                Flags(std::array::from_fn(|lane| if truth(lane) { <$bits>::MAX } else { 0 }))
             }
         }
 
         impl Mask for Flags<$bits> {
             #[inline(always)]
             fn from_bits(bits: u8) -> Self {
-                Self::of(std::array::from_fn(|lane| (bits >> lane) & 1 == 1))
+                Self::of(|lane| (bits >> lane) & 1 == 1)
             }
 
             #[inline(always)]
@@ -155,22 +155,22 @@ macro_rules! numbers {
 
         #[inline(always)]
         fn lt(self, other: Self) -> Flags<$bits> {
-            Flags::<$bits>::of(self.zip(other, |a, b| a < b))
+            Flags::<$bits>::of(|lane| self.0[lane] < other.0[lane])
         }
 
         #[inline(always)]
         fn le(self, other: Self) -> Flags<$bits> {
-            Flags::<$bits>::of(self.zip(other, |a, b| a <= b))
+            Flags::<$bits>::of(|lane| self.0[lane] <= other.0[lane])
         }
 
         #[inline(always)]
         fn gt(self, other: Self) -> Flags<$bits> {
-            Flags::<$bits>::of(self.zip(other, |a, b| a > b))
+            Flags::<$bits>::of(|lane| self.0[lane] > other.0[lane])
         }
 
         #[inline(always)]
         fn ge(self, other: Self) -> Flags<$bits> {
-            Flags::<$bits>::of(self.zip(other, |a, b| a >= b))
+            Flags::<$bits>::of(|lane| self.0[lane] >= other.0[lane])
         }
 
         #[inline(always)]
@@ -196,7 +196,7 @@ impl Real for Eight<f64> {
 
     #[inline(always)]
     fn eq(self, other: Self) -> Flags<u64> {
-        Flags::<u64>::of(self.zip(other, |a, b| a == b))
+        Flags::<u64>::of(|lane| self.0[lane] == other.0[lane])
     }
 
     #[inline(always)]
