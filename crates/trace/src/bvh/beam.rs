@@ -35,6 +35,7 @@ pub(crate) struct Shadow<L: Lanes> {
     /// `(origin + w)/direction` and `(origin - w)/direction`, where `w` is what the boxes are wider by.
     above: [L::Single; 3],
     below: [L::Single; 3],
+    wider: L::Single,
     /// The lanes that hold a ray.
     pub(crate) mask: u8,
 }
@@ -59,10 +60,20 @@ pub(crate) struct Beam<'b, L: Lanes> {
     intervals: PerPacket<Interval>,
 }
 
+/// The packets that go down together, and those of them whose rays go both ways along some axis.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    packets: u8,
+    wide: u8,
+}
+
 /// Is shown the leaves that rays reach.
 pub(crate) trait Visit<L: Lanes> {
     /// A leaf, and the packets of which some ray may meet its box. May shorten the beam.
     fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8);
+
+    /// How far some rays of a packet still look; negative: no more.
+    fn limit(&self, packet: usize, lanes: u8) -> f32;
 }
 
 /// The box of a leaf.
@@ -143,7 +154,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
         }
         self.limits[self.packets.len()] = if mask == 0 { -1.0 } else { limit };
         let spread = greatest * coordinates;
-        self.packets.push(Shadow { origin, direction, spread, inverse, above, below, mask });
+        self.packets.push(Shadow { origin, direction, spread, inverse, above, below, wider, mask });
     }
 
     /// Adds a packet of which no ray takes part, so that the places of packets stay the same.
@@ -151,7 +162,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
     pub(crate) fn skip(&mut self) {
         let zero = [L::Single::splat(0.0); 3];
         let none =
-            Shadow { origin: zero, direction: zero, spread: zero[0], inverse: zero, above: zero, below: zero, mask: 0 };
+            Shadow { origin: zero, direction: zero, spread: zero[0], inverse: zero, above: zero, below: zero, wider: zero[0], mask: 0 };
         if self.bvh.nodes().len() > 1 {
             self.intervals.push(Interval::EMPTY);
         }
@@ -199,13 +210,55 @@ impl<'b, L: Lanes> Beam<'b, L> {
         }
     }
 
-    /// From the root down, nearer children first.
+    /// From the root down: packets of rays that keep together all at once, the rays of the others one by one.
     #[inline(always)]
     fn descend(&mut self, nodes: &[Node], visitor: &mut impl Visit<L>) {
-        let whole = Interval::union(&self.intervals, &self.limits);
-        let by_packet = Transposed::<L>::of(&self.intervals);
+        let all = self.still_looking(0.0);
+        let mut turn = Turn { packets: 0, wide: 0 };
+        for packet in lanes(all) {
+            let axes = self.intervals[packet].axes_of_both_ways();
+            turn.packets |= u8::from(axes <= 1) << packet;
+            turn.wide |= u8::from(axes == 1) << packet;
+        }
+        // the rays that are still to come, one by one, of each packet
+        let mut alone = [0_u8; PACKETS];
+        for packet in lanes(all & !turn.packets) {
+            alone[packet] = self.packets[packet].mask;
+        }
+        // one call of the walk, so that it is compiled once
+        loop {
+            if turn.packets != 0 {
+                self.walk(nodes, turn, visitor);
+            }
+            let Some(packet) = alone.iter().position(|rays| *rays != 0) else { break };
+            let lane = alone[packet].trailing_zeros();
+            alone[packet] &= alone[packet] - 1;
+            self.isolate(packet, lane as usize, visitor.limit(packet, 1 << lane));
+            turn = Turn { packets: 1 << packet, wide: 0 };
+        }
+    }
+
+    /// Leaves a packet only one of its rays.
+    #[inline(always)]
+    fn isolate(&mut self, packet: usize, lane: usize, limit: f32) {
+        let rays = &mut self.packets[packet];
+        rays.mask = 1 << lane;
+        self.intervals[packet] = Interval::of::<L>(&rays.origin, rays.wider, &rays.inverse, rays.mask);
+        self.limits[packet] = limit;
+    }
+
+    /// From the root down, nearer children first.
+    #[inline(always)]
+    fn walk(&mut self, nodes: &[Node], turn: Turn, visitor: &mut impl Visit<L>) {
+        let (mut whole, mut by_packet) = (Interval::EMPTY, None);
+        if !turn.packets.is_power_of_two() {
+            for packet in lanes(turn.packets) {
+                whole.join(&self.intervals[packet]);
+            }
+            by_packet = Some(Transposed::<L>::of(&self.intervals));
+        }
         let mut open: ArrayVec<Open, OPEN> = ArrayVec::new();
-        let (mut number, mut packets) = (0_u32, self.still_looking(0.0));
+        let (mut number, mut packets) = (0_u32, turn.packets);
         while packets != 0 {
             let node = &nodes[number as usize];
             // one packet alone is tried by its own interval, several by that of all rays
@@ -217,8 +270,11 @@ impl<'b, L: Lanes> Beam<'b, L> {
                 if !node.holds(child) {
                     continue;
                 }
-                let left = if alone { packets } else { packets & by_packet.meet(node, child, &self.limits) };
-                let left = self.refined(left, alone, node, child);
+                let mut left = packets;
+                if !alone && let Some(by_packet) = &by_packet {
+                    left &= by_packet.meet(node, child, &self.limits);
+                }
+                let left = self.refined(left, turn.wide, alone, node, child);
                 if left != 0 {
                     let mut place = open.len();
                     open.push(Open { node: number, child: child as u8, packets: left, near: nears[child] });
@@ -249,17 +305,16 @@ impl<'b, L: Lanes> Beam<'b, L> {
         }
     }
 
-    /// The packets of which some ray meets a child's box; asked of one or two packets, to bound the work where
-    /// intervals are wide.
+    /// The packets of which some ray meets a child's box. Ray by ray it is only asked where one or two packets are left,
+    /// which bounds the work, and of wide ones.
     #[inline(always)]
-    fn refined(&self, mut packets: u8, alone: bool, node: &Node, child: usize) -> u8 {
-        if packets.count_ones() <= 2 {
-            for packet in lanes(packets) {
-                // the interval of a single ray is that ray
-                let known = alone && self.packets[packet].mask.is_power_of_two();
-                if !known && self.rays_meet(packet, node, child) == 0 {
-                    packets &= !(1 << packet);
-                }
+    fn refined(&self, mut packets: u8, wide: u8, alone: bool, node: &Node, child: usize) -> u8 {
+        let asked = if packets.count_ones() <= 2 { packets } else { packets & wide };
+        for packet in lanes(asked) {
+            // the interval of a single ray is that ray
+            let known = alone && self.packets[packet].mask.is_power_of_two();
+            if !known && self.rays_meet(packet, node, child) == 0 {
+                packets &= !(1 << packet);
             }
         }
         packets
@@ -322,19 +377,23 @@ impl Interval {
         interval
     }
 
-    /// The interval of all packets that still look.
+    /// Takes in another interval.
     #[inline(always)]
-    fn union(intervals: &[Interval], limits: &[f32; PACKETS]) -> Interval {
-        let mut union = Interval::EMPTY;
-        for (interval, limit) in intervals.iter().zip(limits) {
-            if *limit >= 0.0 {
-                for axis in 0..3 {
-                    union.start[axis] = hull(union.start[axis], interval.start[axis]);
-                    union.inverse[axis] = hull(union.inverse[axis], interval.inverse[axis]);
-                }
-            }
+    fn join(&mut self, other: &Interval) {
+        for axis in 0..3 {
+            self.start[axis] = hull(self.start[axis], other.start[axis]);
+            self.inverse[axis] = hull(self.inverse[axis], other.inverse[axis]);
         }
-        union
+    }
+
+    /// Along how many axes some rays go up and some down.
+    #[inline(always)]
+    fn axes_of_both_ways(&self) -> u32 {
+        let mut axes = 0;
+        for axis in 0..3 {
+            axes += u32::from(self.inverse[axis][0] < 0.0 && self.inverse[axis][1] > 0.0);
+        }
+        axes
     }
 
     /// The children whose boxes some ray may meet before `farthest`, and where at the nearest.

@@ -211,7 +211,7 @@ struct Onward<B: Backend> {
 
 impl<B: Backend> Onward<B> {
     fn new(kind: RayKind, level: u32) -> Onward<B> {
-        Onward { block: Block { kind, level, packets: PerPacket::new() }, from: PerPacket::new() }
+        Onward { block: Block::new(kind, level, false), from: PerPacket::new() }
     }
 
     /// Adds the rays of a packet's points.

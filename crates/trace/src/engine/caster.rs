@@ -76,7 +76,8 @@ struct Cast<'s> {
 impl<B: Backend> Step<B> for Cast<'_> {
     #[inline(always)]
     fn run(self) {
-        let mut block: Block<B> = Block { kind: RayKind::Primary, level: 0, packets: PerPacket::new() };
+        let from_one_point = self.rays.iter().all(|ray| ray.origin == self.rays[0].origin);
+        let mut block: Block<B> = Block::new(RayKind::Primary, 0, from_one_point);
         for (place, rays) in self.rays.chunks(8).enumerate() {
             let (mut origins, mut directions) = ([[0.0; 8]; 3], [[1.0; 8]; 3]);
             for (lane, ray) in rays.iter().enumerate() {

@@ -5,7 +5,7 @@
 #![allow(unsafe_code, reason = "calls functions that are compiled for more instructions than the program as a whole")]
 
 #[cfg(target_arch = "x86_64")]
-use super::lanes::Avx2;
+use super::lanes::{Avx2, Avx512};
 use super::lanes::{Lanes, Portable};
 
 /// The instructions that the engine uses. The pictures are the same, byte for byte.
@@ -15,7 +15,7 @@ pub enum Simd {
     Portable,
     /// AVX2 and FMA: x86-64 since about 2013.
     Avx2,
-    /// AVX-512 F, DQ, VL and BW.
+    /// AVX-512 F, DQ and VL.
     Avx512,
 }
 
@@ -44,7 +44,6 @@ impl Simd {
                     && std::is_x86_feature_detected!("avx512f")
                     && std::is_x86_feature_detected!("avx512dq")
                     && std::is_x86_feature_detected!("avx512vl")
-                    && std::is_x86_feature_detected!("avx512bw")
             }
             #[cfg(not(target_arch = "x86_64"))]
             Simd::Avx2 | Simd::Avx512 => false,
@@ -72,11 +71,11 @@ pub(super) trait Backend: Lanes {
 
 /// Runs a step with the instructions that `simd` says, or the best there are if it is not available.
 #[cfg(target_arch = "x86_64")]
-pub(super) fn enter<S: Step<Portable> + Step<Avx2>>(simd: Simd, step: S) {
+pub(super) fn enter<S: Step<Portable> + Step<Avx2> + Step<Avx512>>(simd: Simd, step: S) {
     match if simd.is_available() { simd } else { Simd::best() } {
         Simd::Portable => Portable::enter(step),
         Simd::Avx2 => Avx2::enter(step),
-        Simd::Avx512 => Avx2::enter(step),
+        Simd::Avx512 => Avx512::enter(step),
     }
 }
 
@@ -110,3 +109,5 @@ macro_rules! backend {
 backend!(Portable);
 #[cfg(target_arch = "x86_64")]
 backend!(Avx2, "avx2,fma");
+#[cfg(target_arch = "x86_64")]
+backend!(Avx512, "avx2,fma,avx512f,avx512dq,avx512vl");

@@ -1,13 +1,14 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
 use super::dispatch::{Backend, Step};
-use super::intersect::{facet, may_meet, plane, sphere};
+use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{Vector, equal, lanes, mask};
-use crate::World;
+use crate::{Ray, World};
 use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
 use crate::precision::lies_in_plane;
+use crate::reference::intersect::intersect_facet;
 use crate::world::{Facets, Geometry};
 use glam::{DMat3, DVec3};
 use std::ops::Range;
@@ -121,6 +122,11 @@ struct Bodies<'v, L: Lanes> {
 
 impl<L: Backend> Visit<L> for Bodies<'_, L> {
     #[inline(always)]
+    fn limit(&self, packet: usize, lanes: u8) -> f32 {
+        self.hits[packet].farthest(lanes)
+    }
+
+    #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
         for &number in &self.bodies[first as usize..(first + count) as usize] {
             match &self.world.body(number).geometry {
@@ -129,10 +135,10 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
                         let packet = &self.block.packets[place];
                         let here = packet.starts_on(number, self.eye_lies_on);
                         let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
-                        let met = met & packet.mask;
-                        if met != 0 {
-                            self.hits[place].take(met, t, None, number, 0);
-                            beam.shorten(place, self.hits[place].farthest(packet.mask));
+                        let mask = beam.packets[place].mask;
+                        if met & mask != 0 {
+                            self.hits[place].take(met & mask, t, None, number, 0);
+                            beam.shorten(place, self.hits[place].farthest(mask));
                         }
                     }
                 }
@@ -162,7 +168,7 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
         let OnFacets { facets, body, block, hits, beam, packets } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
         for (place, packet) in block.packets.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { packet.mask } else { 0 };
+            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask } else { 0 };
             send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
         }
         within.traverse(&mut FacetLeaves { facets, body, block, hits });
@@ -208,6 +214,11 @@ struct FacetLeaves<'v, L: Lanes> {
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
     #[inline(always)]
+    fn limit(&self, packet: usize, lanes: u8) -> f32 {
+        self.hits[packet].farthest(lanes)
+    }
+
+    #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
         L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
     }
@@ -225,28 +236,91 @@ struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
 impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
     #[inline(always)]
     fn run(self) {
-        let FacetLeaves { facets, body, block, hits } = self.leaves;
-        let blocks = &facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        for place in lanes(self.packets) {
-            let (rays, packet) = (&self.beam.packets[place], &block.packets[place]);
-            let reach = self.place.reach(rays);
+        let leaves = self.leaves;
+        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
+        let (packets, from_one_point) = (self.packets, leaves.block.from_one_point);
+        try_leaf(self.beam, self.place, blocks, packets, from_one_point, leaves);
+    }
+}
+
+impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
+    #[inline(always)]
+    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
+        let packet = &self.block.packets[place];
+        let corners = self.facets.corners(number);
+        if may.is_power_of_two() {
+            return self.try_ray(place, may.trailing_zeros() as usize, number, corners);
+        }
+        let found = facet::<L>(packet.origin, packet.direction, corners);
+        let met = not_started_on(packet, found.lanes & may, corners, self.body);
+        if met != 0 {
+            self.hits[place].take(met, found.t, Some((found.alpha, found.beta)), self.body, number);
+        }
+        met != 0
+    }
+}
+
+impl<L: Lanes> FacetLeaves<'_, L> {
+    /// One ray alone, as the reference does it.
+    #[inline(always)]
+    fn try_ray(&mut self, place: usize, lane: usize, number: u32, [p0, p1, p2]: [DVec3; 3]) -> bool {
+        let packet = &self.block.packets[place];
+        let ray = Ray { origin: packet.origin.lane(lane), direction: packet.direction.lane(lane) };
+        let Some(hit) = intersect_facet(&ray, p0, p1, p2) else { return false };
+        if not_started_on(packet, 1 << lane, [p0, p1, p2], self.body) == 0 {
+            return false;
+        }
+        let shares = Some((L::Real::splat(hit.alpha), L::Real::splat(hit.beta)));
+        self.hits[place].take(1 << lane, L::Real::splat(hit.t), shares, self.body, number);
+        true
+    }
+}
+
+/// Is shown the facets that rays may meet.
+pub(super) trait Candidates<L: Lanes>: Visit<L> {
+    /// Tries a facet with some rays of a packet; whether that may have changed how far they look.
+    fn try_facet(&mut self, packet: usize, may: u8, number: u32) -> bool;
+}
+
+/// Shows the facets of a leaf that rays may meet, and shortens the beam.
+#[inline(always)]
+pub(super) fn try_leaf<L: Lanes>(
+    beam: &mut Beam<'_, L>,
+    place: LeafBox<'_>,
+    blocks: &[Facets4],
+    packets: u8,
+    from_one_point: bool,
+    candidates: &mut impl Candidates<L>,
+) {
+    for blocks in blocks.chunks(2) {
+        let mut seen = None;
+        for packet in lanes(packets) {
+            let rays = &beam.packets[packet];
+            let slack = slack(rays, place);
+            let single = rays.mask.is_power_of_two();
             let mut better = false;
-            for (block, lane) in Facets4::lanes(blocks) {
-                let number = block.facets[lane];
-                let may = may_meet(rays, reach, block, lane);
-                if may == 0 {
-                    continue;
+            if single || from_one_point {
+                let lane = rays.mask.trailing_zeros() as usize & 7;
+                let point = [0, 1, 2].map(|axis: usize| rays.origin[axis].store()[lane]);
+                if single || seen.is_none() {
+                    seen = Some(SeenFacets::from_point::<L>(point, blocks));
                 }
-                let corners = facets.corners(number);
-                let found = facet::<B>(packet.origin, packet.direction, corners);
-                let met = not_started_on(packet, found.lanes & may, corners, *body);
-                if met != 0 {
-                    hits[place].take(met, found.t, Some((found.alpha, found.beta)), *body, number);
-                    better = true;
+                let Some(seen) = &seen else { continue };
+                let direction = [0, 1, 2].map(|axis: usize| rays.direction[axis].store()[lane]);
+                let met = if single { seen.met_by::<L>(direction, slack.store()[lane]) } else { u8::MAX };
+                for (number, facet) in Facets4::places(blocks) {
+                    let may = if single { rays.mask & (met >> facet & 1).wrapping_neg() } else { seen.may_meet(rays, slack, facet) };
+                    better |= may != 0 && candidates.try_facet(packet, may, number);
+                }
+            } else {
+                for (block, lane) in Facets4::lanes(blocks) {
+                    let may = may_meet(rays, slack, block, lane);
+                    better |= may != 0 && candidates.try_facet(packet, may, block.facets[lane]);
                 }
             }
             if better {
-                self.beam.shorten(place, hits[place].farthest(packet.mask));
+                let limit = candidates.limit(packet, rays.mask);
+                beam.shorten(packet, limit);
             }
         }
     }

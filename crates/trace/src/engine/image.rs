@@ -137,7 +137,7 @@ impl Image<'_> {
         let samples = self.camera.samples();
         let mut seen: PerPacket<Colors<B>> = PerPacket::new();
         for sample in 0..samples * samples {
-            let mut block = Block { kind: RayKind::Primary, level: 0, packets: PerPacket::new() };
+            let mut block = Block::new(RayKind::Primary, 0, true);
             for (place, pixels) in pixels.chunks(8).enumerate() {
                 let wanted = (0xff_u8 >> (8 - pixels.len())) & !not_finite[place] & !path.spent[place];
                 block.packets.push(self.primary::<B>(pixels, sample, place, wanted, path.stacks.primary()));

@@ -38,7 +38,17 @@ pub(crate) struct Packet<L: Lanes> {
 pub(crate) struct Block<L: Lanes> {
     pub(crate) kind: RayKind,
     pub(crate) level: u32,
+    /// Whether all rays start at one point.
+    pub(crate) from_one_point: bool,
     pub(crate) packets: PerPacket<Packet<L>>,
+}
+
+impl<L: Lanes> Block<L> {
+    /// A block without rays.
+    #[inline(always)]
+    pub(crate) fn new(kind: RayKind, level: u32, from_one_point: bool) -> Block<L> {
+        Block { kind, level, from_one_point, packets: PerPacket::new() }
+    }
 }
 
 /// What the rays of a packet meet first.

@@ -4,13 +4,13 @@
 //! What is left is decided for the rays from the points, as the reference does.
 
 use super::dispatch::{Backend, Step};
-use super::hidden_surfaces::{UPWARDS, not_started_on, send};
-use super::intersect::{facet, may_meet, plane, sphere};
+use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
+use super::intersect::{facet, plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::World;
-use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
+use crate::bvh::{Beam, LeafBox, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::{Facets, Geometry};
 use glam::DVec3;
@@ -71,6 +71,12 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, 
 }
 
 impl<L: Lanes> ToLamp<L> {
+    /// How far some rays look: no more if there are none.
+    #[inline(always)]
+    fn limit(&self, lanes: u8) -> f32 {
+        if lanes == 0 { -1.0 } else { self.farthest(lanes) }
+    }
+
     /// An f32 bound of the distances of some lanes.
     #[inline(always)]
     fn farthest(&self, lanes: u8) -> f32 {
@@ -88,17 +94,12 @@ struct Bodies<'v, L: Lanes> {
     blocked: &'v mut PerPacket<u8>,
 }
 
-impl<L: Lanes> Bodies<'_, L> {
-    /// Ends packets of which every ray is blocked.
-    #[inline(always)]
-    fn end(&self, beam: &mut Beam<'_, L>, packet: usize) {
-        if self.rays[packet].packet.mask & !self.blocked[packet] == 0 {
-            beam.shorten(packet, -1.0);
-        }
-    }
-}
-
 impl<L: Backend> Visit<L> for Bodies<'_, L> {
+    #[inline(always)]
+    fn limit(&self, packet: usize, lanes: u8) -> f32 {
+        self.rays[packet].limit(lanes & !self.blocked[packet])
+    }
+
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
         for &number in &self.bodies[first as usize..(first + count) as usize] {
@@ -115,14 +116,14 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
                             met &= !(*distance - t).le(between).bits();
                         }
                         self.blocked[place] |= met;
-                        self.end(beam, place);
+                        beam.shorten(place, self.limit(place, beam.packets[place].mask));
                     }
                 }
                 Geometry::Facets(facets) => {
                     let (lamp, rays) = (self.lamp, self.rays);
                     L::enter(OnFacets { facets, body: number, lamp, rays, blocked: self.blocked, beam, packets });
                     for place in lanes(packets) {
-                        self.end(beam, place);
+                        beam.shorten(place, self.limit(place, beam.packets[place].mask));
                     }
                 }
                 // planes have no bounds
@@ -149,7 +150,7 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
         let OnFacets { facets, body, lamp, rays, blocked, beam, packets } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
         for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { packet.mask & !blocked[place] } else { 0 };
+            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask & !blocked[place] } else { 0 };
             send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
         }
         within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
@@ -166,6 +167,11 @@ struct FacetLeaves<'v, L: Lanes> {
 }
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
+    #[inline(always)]
+    fn limit(&self, packet: usize, lanes: u8) -> f32 {
+        self.rays[packet].limit(lanes & !self.blocked[packet])
+    }
+
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
         L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
@@ -184,27 +190,29 @@ struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
 impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
     #[inline(always)]
     fn run(self) {
-        let FacetLeaves { facets, body, lamp, rays, blocked } = self.leaves;
-        let blocks = &facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        for place in lanes(self.packets) {
-            let ToLamp { packet, distance } = &rays[place];
-            let reach = self.place.reach(&self.beam.packets[place]);
-            for (block, lane) in Facets4::lanes(blocks) {
-                let number = block.facets[lane];
-                let may = may_meet(&self.beam.packets[place], reach, block, lane) & !blocked[place];
-                if may == 0 {
-                    continue;
-                }
-                let corners = facets.corners(number);
-                let found = facet::<B>(packet.origin, packet.direction, corners);
-                let met = found.lanes & may & found.t.lt(*distance).bits();
-                if met != 0 && !lies_in_plane(*lamp, corners[0], corners[1], corners[2]) {
-                    blocked[place] |= not_started_on(packet, met, corners, *body);
-                }
-            }
-            if packet.mask & !blocked[place] == 0 {
-                self.beam.shorten(place, -1.0);
-            }
+        let leaves = self.leaves;
+        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
+        // for culling all rays start at the lamp
+        try_leaf(self.beam, self.place, blocks, self.packets, true, leaves);
+    }
+}
+
+impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
+    #[inline(always)]
+    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
+        let ToLamp { packet, distance } = &self.rays[place];
+        let may = may & !self.blocked[place];
+        if may == 0 {
+            return false;
         }
+        let corners = self.facets.corners(number);
+        let found = facet::<L>(packet.origin, packet.direction, corners);
+        let met = found.lanes & may & found.t.lt(*distance).bits();
+        if met == 0 || lies_in_plane(self.lamp, corners[0], corners[1], corners[2]) {
+            return false;
+        }
+        let hidden = not_started_on(packet, met, corners, self.body);
+        self.blocked[place] |= hidden;
+        hidden != 0
     }
 }
