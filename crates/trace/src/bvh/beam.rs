@@ -161,8 +161,16 @@ impl<'b, L: Lanes> Beam<'b, L> {
     #[inline(always)]
     pub(crate) fn skip(&mut self) {
         let zero = [L::Single::splat(0.0); 3];
-        let none =
-            Shadow { origin: zero, direction: zero, spread: zero[0], inverse: zero, above: zero, below: zero, wider: zero[0], mask: 0 };
+        let none = Shadow {
+            origin: zero,
+            direction: zero,
+            spread: zero[0],
+            inverse: zero,
+            above: zero,
+            below: zero,
+            wider: zero[0],
+            mask: 0,
+        };
         if self.bvh.nodes().len() > 1 {
             self.intervals.push(Interval::EMPTY);
         }

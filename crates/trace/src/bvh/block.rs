@@ -51,7 +51,8 @@ impl Block {
     #[inline(always)]
     pub(crate) fn places(blocks: &[Block]) -> impl Iterator<Item = (u32, usize)> {
         let all = blocks.iter().enumerate();
-        let all = all.flat_map(|(half, block)| (0..Block::FACETS).map(move |lane| (block.facets[lane], 4 * half + lane)));
+        let all =
+            all.flat_map(|(half, block)| (0..Block::FACETS).map(move |lane| (block.facets[lane], 4 * half + lane)));
         all.filter(|(number, _)| *number != NO_FACET)
     }
 

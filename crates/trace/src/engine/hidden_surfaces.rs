@@ -5,11 +5,11 @@ use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{Vector, equal, lanes, mask};
-use crate::{Ray, World};
 use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
 use crate::precision::lies_in_plane;
 use crate::reference::intersect::intersect_facet;
 use crate::world::{Facets, Geometry};
+use crate::{Ray, World};
 use glam::{DMat3, DVec3};
 use std::ops::Range;
 
@@ -297,19 +297,23 @@ pub(super) fn try_leaf<L: Lanes>(
         for packet in lanes(packets) {
             let rays = &beam.packets[packet];
             let slack = slack(rays, place);
-            let single = rays.mask.is_power_of_two();
             let mut better = false;
-            if single || from_one_point {
-                let lane = rays.mask.trailing_zeros() as usize & 7;
-                let point = [0, 1, 2].map(|axis: usize| rays.origin[axis].store()[lane]);
-                if single || seen.is_none() {
-                    seen = Some(SeenFacets::from_point::<L>(point, blocks));
-                }
-                let Some(seen) = &seen else { continue };
-                let direction = [0, 1, 2].map(|axis: usize| rays.direction[axis].store()[lane]);
-                let met = if single { seen.met_by::<L>(direction, slack.store()[lane]) } else { u8::MAX };
+            if rays.mask.is_power_of_two() {
+                // a single ray is tried with all facets at once
+                let lane = rays.mask.trailing_zeros() as usize;
+                let facets = SeenFacets::from_point::<L>(scalar::<L>(&rays.origin, lane), blocks);
+                let met = facets.met_by::<L>(scalar::<L>(&rays.direction, lane), slack.store()[lane]);
                 for (number, facet) in Facets4::places(blocks) {
-                    let may = if single { rays.mask & (met >> facet & 1).wrapping_neg() } else { seen.may_meet(rays, slack, facet) };
+                    better |= met >> facet & 1 == 1 && candidates.try_facet(packet, rays.mask, number);
+                }
+            } else if from_one_point {
+                let lane = rays.mask.trailing_zeros() as usize & 7;
+                let facets = match &seen {
+                    Some(facets) => facets,
+                    None => seen.insert(SeenFacets::from_point::<L>(scalar::<L>(&rays.origin, lane), blocks)),
+                };
+                for (number, facet) in Facets4::places(blocks) {
+                    let may = facets.may_meet(rays, slack, facet);
                     better |= may != 0 && candidates.try_facet(packet, may, number);
                 }
             } else {
@@ -324,6 +328,13 @@ pub(super) fn try_leaf<L: Lanes>(
             }
         }
     }
+}
+
+/// One lane of three coordinates.
+#[inline(always)]
+fn scalar<L: Lanes>(coordinates: &[L::Single; 3], lane: usize) -> [f32; 3] {
+    let [x, y, z] = coordinates;
+    [x.store()[lane], y.store()[lane], z.store()[lane]]
 }
 
 /// The hits without those of rays that start on the very facet: on the body, or as primary rays, in the facet's plane.

@@ -111,8 +111,13 @@ impl Path<'_> {
             for &(surface, group) in &groups[place] {
                 let surface = world.surface(surface);
                 let mut own = add::<B>(environment.compose, &zero, &splat::<B>(surface.ka * environment.ambient));
-                own = add::<B>(environment.compose, &own, &scaled::<B>(surface.kr, &mirrored[place]));
-                own = add::<B>(environment.compose, &own, &scaled::<B>(surface.kt, &refracted[place]));
+                // a term of 0 changes no bit of a sum
+                if surface.is_mirror() {
+                    own = add::<B>(environment.compose, &own, &scaled::<B>(surface.kr, &mirrored[place]));
+                }
+                if surface.is_transparent() {
+                    own = add::<B>(environment.compose, &own, &scaled::<B>(surface.kt, &refracted[place]));
+                }
                 sum = if group == points.mask { own } else { select::<B>(mask::<B::Real>(group), &own, &sum) };
             }
             sums.push(sum);
