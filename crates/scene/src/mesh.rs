@@ -84,9 +84,17 @@ impl Mesh {
 
     /// Whether the mesh encloses a volume, with the orientation it has after placement: a mirroring scale turns it.
     pub fn enclosure(&self) -> Enclosure {
-        match self.geometry.enclosure() {
+        self.geometry.enclosure().placed(&self.placement)
+    }
+}
+
+impl Enclosure {
+    /// What a placement makes of it: a mirroring scale turns a volume.
+    #[must_use]
+    pub fn placed(self, placement: &Placement) -> Enclosure {
+        match self {
             Enclosure::Volume { inverted } => {
-                let mirrored = self.placement.scale.to_array().into_iter().filter(|s| *s < 0.0).count() % 2 == 1;
+                let mirrored = placement.scale.to_array().into_iter().filter(|s| *s < 0.0).count() % 2 == 1;
                 Enclosure::Volume { inverted: inverted != mirrored }
             }
             Enclosure::Sheet => Enclosure::Sheet,

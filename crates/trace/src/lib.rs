@@ -4,9 +4,11 @@
 //! tells an [`Observer`] everything it computes. The [reference](mod@reference) is the subject's text in f64, one function a
 //! formula: it is the truth that faster engines are held to, and the explanation of a pixel.
 
+mod bvh;
 mod camera;
 mod cancel;
 mod channels;
+pub mod engine;
 pub mod explain;
 pub mod observe;
 mod pick;
@@ -19,10 +21,11 @@ mod world;
 pub use camera::Camera;
 pub use cancel::Cancel;
 pub use channels::Channels;
+pub use engine::{Caster, Engine, Simd};
 pub use explain::{PixelTree, explain};
 pub use observe::{Observer, RayCounts, RayTree};
 pub use pick::Picked;
 pub use ray::{Ray, RayKind};
 pub use reference::{TraceError, Tracer};
 pub use settings::Settings;
-pub use world::World;
+pub use world::{BuildStats, World};

@@ -145,9 +145,9 @@ impl Drop for Renderer {
 }
 
 /// The manager: takes all orders that are there, then carries them out; of several starts of a session only the last
-/// one counts.
+/// one counts. The last world is kept, and the next one made from it.
 fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
-    let mut compiled: Option<(Scene, Arc<World>)> = None;
+    let mut world = Arc::new(World::default());
     while let Ok(first) = inbox.recv() {
         let mut starts: BTreeMap<u64, (u64, Box<Job>, Cancel)> = BTreeMap::new();
         for order in std::iter::once(first).chain(inbox.try_iter()) {
@@ -188,14 +188,9 @@ fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
         }
         for (session, (generation, job, cancel)) in starts {
             let Job { scene, view, max_rays } = *job;
-            let world = match &compiled {
-                Some((known, world)) if same(known, &scene) => Arc::clone(world),
-                Some(_) | None => {
-                    let world = Arc::new(World::compile(&scene));
-                    compiled = Some((scene, Arc::clone(&world)));
-                    world
-                }
-            };
+            if !world.is_of(&scene) {
+                world = Arc::new(world.update(&scene));
+            }
             let camera = Camera::new(&view);
             let settings = Settings { max_rays, ..Settings::of(&world, &view) };
             let mut state = desk.lock();
@@ -209,7 +204,7 @@ fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
                     wake_window();
                 }
                 Ok(camera) => {
-                    let tracer = Tracer::new(world, &camera, settings, &cancel);
+                    let tracer = Tracer::new(Arc::clone(&world), &camera, settings, &cancel);
                     let results = state.seats[place].results.clone();
                     state.seats[place].task = Some(Arc::new(Task { tracer, cancel, generation, results }));
                     state.views[place].restart(view.width, view.height);
@@ -219,14 +214,6 @@ fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
         }
         desk.changed.notify_all();
     }
-}
-
-/// Whether two scenes share everything, so that one compiled world serves both.
-fn same(a: &Scene, b: &Scene) -> bool {
-    a.world == b.world
-        && a.materials.same_items(&b.materials)
-        && a.lights.same_items(&b.lights)
-        && a.objects.same_items(&b.objects)
 }
 
 impl State {

@@ -3,6 +3,7 @@
 
 use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere};
 use crate::Ray;
+use crate::bvh::Sight;
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::{Body, Facets, Geometry, World};
 use glam::DVec3;
@@ -80,10 +81,16 @@ impl World {
                 return;
             }
         }
-        let (hierarchy, bounded) = self.bounded();
-        hierarchy.visit(ray, limit, |item, limit| {
-            let number = bounded[item as usize];
-            visit_body(self.body(number), number, ray, starts_on(number), limit, &mut found)
+        let (bvh, bounded) = self.bounded();
+        let sight = Sight::new(bvh, ray.origin, ray.direction, bvh.margin().at(ray.origin));
+        bvh.visit(&sight, limit, |first, count, mut limit| {
+            for &number in &bounded[first as usize..(first + count) as usize] {
+                limit = visit_body(self.body(number), number, ray, starts_on(number), limit, &mut found);
+                if limit < 0.0 {
+                    break;
+                }
+            }
+            limit
         });
     }
 }
@@ -128,16 +135,13 @@ fn visit_facets(
     limit: f64,
     found: &mut impl FnMut(Hit) -> f64,
 ) -> f64 {
-    let mut last = limit;
-    facets.hierarchy().visit(ray, limit, |facet, limit| {
+    facets.visit(ray, limit, |facet, limit| {
         let [p0, p1, p2] = facets.corners(facet);
-        last = match intersect_facet(ray, p0, p1, p2) {
+        match intersect_facet(ray, p0, p1, p2) {
             Some(hit) if !(starts_here && lies_in_plane(ray.origin, p0, p1, p2)) => {
                 found(Hit { t: hit.t, body, facet, alpha: hit.alpha, beta: hit.beta })
             }
             Some(_) | None => limit,
-        };
-        last
-    });
-    last
+        }
+    })
 }

@@ -1,8 +1,10 @@
 //! One object of the scene as rays meet it.
 
+use super::contains;
 use super::facets::Facets;
-use super::hierarchy::Bounds;
-use super::{Surfaces, contains};
+use super::packs::Packs;
+use super::surfaces::Surfaces;
+use crate::bvh::Bounds;
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use glam::DVec3;
 use lancer_scene::{Enclosure, Name, Object, Shape, box_facets};
@@ -39,46 +41,61 @@ pub(crate) enum Extent {
     Sheet,
 }
 
-impl Body {
-    pub(crate) fn compile(object: &Object, surfaces: &mut Surfaces) -> Body {
-        let surface = surfaces.number(&object.material);
-        let mut medium = surfaces.is_transparent(surface).then_some(surface);
-        let solid = Extent::Volume { inverted: false };
-        let (geometry, extent) = match &object.shape {
-            Shape::Sphere { center, radius } => (Geometry::Sphere { center: *center, radius: *radius }, solid),
+impl Geometry {
+    /// The geometry of a shape; the packed geometry of a mesh is taken from `packs`. The facets have no parts yet.
+    pub(crate) fn of(shape: &Shape, packs: &Packs) -> Geometry {
+        match shape {
+            Shape::Sphere { center, radius } => Geometry::Sphere { center: *center, radius: *radius },
             Shape::Plane { p0, p1, p2 } => {
                 let normal = (p1 - p0).cross(p2 - p0).normalize();
-                (Geometry::Plane { p0: *p0, p1: *p1, p2: *p2, normal }, Extent::HalfSpace)
+                Geometry::Plane { p0: *p0, p1: *p1, p2: *p2, normal }
             }
-            Shape::Facet { p0, p1, p2 } => (Geometry::Facets(Facets::separate(&[[*p0, *p1, *p2]])), Extent::Sheet),
+            Shape::Facet { p0, p1, p2 } => Geometry::Facets(Facets::separate(&[[*p0, *p1, *p2]])),
             Shape::Cube { .. } | Shape::Parallelepiped { .. } => {
-                let facets = object.shape.frame().map(|(origin, edges)| box_facets(origin, edges));
-                (Geometry::Facets(Facets::separate(facets.as_ref().map_or(&[], |facets| facets))), solid)
+                let facets = shape.frame().map(|(origin, edges)| box_facets(origin, edges));
+                Geometry::Facets(Facets::separate(facets.as_ref().map_or(&[], |facets| facets)))
             }
-            Shape::Mesh(mesh) => {
-                let facets = Facets::of_mesh(mesh, surfaces);
-                medium = facets.surfaces(surface).find(|surface| surfaces.is_transparent(*surface));
-                // only a medium needs to know what it encloses
-                let enclosure = if medium.is_some() { mesh.enclosure() } else { Enclosure::Sheet };
-                let extent = match enclosure {
-                    Enclosure::Volume { inverted } => Extent::Volume { inverted },
-                    Enclosure::Sheet => Extent::Sheet,
-                };
-                (Geometry::Facets(facets), extent)
-            }
-        };
-        Body { name: object.name.clone(), geometry, surface, medium, extent }
+            Shape::Mesh(mesh) => Geometry::Facets(Facets::of_mesh(mesh, packs)),
+        }
     }
 
     /// The box around it, a little wider than the points that rays can hit; `None` for a plane.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
-        match &self.geometry {
+        match self {
             Geometry::Sphere { center, radius } => {
                 Some(Bounds { low: *center - DVec3::splat(*radius), high: *center + DVec3::splat(*radius) }.widened())
             }
             Geometry::Plane { .. } => None,
-            Geometry::Facets(facets) => facets.hierarchy().bounds(),
+            Geometry::Facets(facets) => facets.bounds().map(Bounds::widened),
         }
+    }
+}
+
+impl Body {
+    /// The body of an object, whose geometry is given.
+    pub(crate) fn new(object: &Object, geometry: Geometry, surfaces: &mut Surfaces) -> Body {
+        let surface = surfaces.number(&object.material);
+        let own = surfaces.is_transparent(surface).then_some(surface);
+        let solid = Extent::Volume { inverted: false };
+        let (geometry, medium, extent) = match (geometry, &object.shape) {
+            (Geometry::Facets(facets), Shape::Mesh(mesh)) => {
+                let facets = facets.with_parts(&mesh.geometry.parts, surfaces);
+                let medium = facets.surfaces(surface).find(|surface| surfaces.is_transparent(*surface));
+                // only a medium needs to know what it encloses
+                let enclosure = if medium.is_some() { facets.packed().enclosure() } else { Enclosure::Sheet };
+                let extent = match enclosure.placed(&mesh.placement) {
+                    Enclosure::Volume { inverted } => Extent::Volume { inverted },
+                    Enclosure::Sheet => Extent::Sheet,
+                };
+                (Geometry::Facets(facets), medium, extent)
+            }
+            (geometry, Shape::Plane { .. }) => (geometry, own, Extent::HalfSpace),
+            (geometry, Shape::Facet { .. }) => (geometry, own, Extent::Sheet),
+            (geometry, Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Parallelepiped { .. } | Shape::Mesh(_)) => {
+                (geometry, own, solid)
+            }
+        };
+        Body { name: object.name.clone(), geometry, surface, medium, extent }
     }
 
     /// Whether a point is inside of what the body encloses; a point of the surface is outside.
@@ -92,8 +109,7 @@ impl Body {
                 normal.dot(point - *p0) < 0.0 && !lies_in_plane(point, *p0, *p1, *p2)
             }
             (Geometry::Facets(facets), _) => {
-                facets.hierarchy().bounds().is_some_and(|bounds| bounds.contains(point))
-                    && contains::closed(facets, point)
+                facets.bounds().is_some_and(|bounds| bounds.contains(point)) && contains::closed(facets, point)
             }
         }
     }
