@@ -16,6 +16,7 @@ mod phrases;
 pub mod arithmetic;
 pub mod binary;
 pub mod cli;
+pub mod engine;
 pub mod explain;
 pub mod file;
 mod lang;
