@@ -24,6 +24,7 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand, ViewportId};
 use lancer_document::journal::{self, Journal};
 use lancer_document::wireframe::Wireframes;
 use lancer_document::{Document, Item, StepName};
+use lancer_render::Tracing;
 use lancer_render::live::Renderer;
 use lancer_scene::Stage;
 use lancer_words::{Lang, studio::app as words};
@@ -36,6 +37,8 @@ pub struct Start {
     pub settings: Settings,
     /// The language; `None` for the remembered one or the locale's.
     pub lang: Option<Lang>,
+    /// What follows the rays of all pictures.
+    pub tracing: Tracing,
     /// What is shown until something is opened.
     pub stage: Stage,
     /// Files to open: a scene, then documents of views.
@@ -122,11 +125,11 @@ impl Studio {
                 renaming: None,
                 active: None,
                 explainer: Explainer::default(),
-                swatches: Swatches::new(ctx.clone()),
+                swatches: Swatches::new(ctx.clone(), start.tracing),
             },
             panes: Panes {
                 live: BTreeMap::new(),
-                renderer: Renderer::new(None, move || waker.request_repaint_of(ViewportId::ROOT)),
+                renderer: Renderer::new(None, start.tracing, move || waker.request_repaint_of(ViewportId::ROOT)),
                 picker: Picker::new(ctx.clone()),
                 wireframes: Wireframes::default(),
             },
@@ -134,7 +137,7 @@ impl Studio {
             modal: recovery.map(|(entry, journal)| Modal::Recover(Box::new(entry), journal)),
             // without a journal one works as well, only not as safely
             journal: start.journals.and_then(|folder| Journal::begin(&folder).ok()),
-            exports: Exports::default(),
+            exports: Exports::new(start.tracing),
             dialogs: start.dialogs,
             browser: None,
             leaving: false,
