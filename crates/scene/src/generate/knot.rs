@@ -33,7 +33,7 @@ pub(super) fn knot(size: u32) -> (Scene, View) {
         lights: list([lamp("lamp", DVec3::new(-4.0, 6.0, 8.0), Rgb::splat(0.9))]),
         objects: list([object("knot", "copper", mesh(positions, facets))]),
     };
-    (scene, view([640, 480], DVec3::new(0.4, -1.6, 4.2), DVec3::new(0.0, -0.05, 0.0), DVec3::Y, 42.0))
+    (scene, view([640, 480], DVec3::new(0.6, -2.2, 6.2), DVec3::ZERO, DVec3::Y, 42.0))
 }
 
 /// The point of the knot at an angle, the unit vector out of the torus there, and the one across both it and the knot.

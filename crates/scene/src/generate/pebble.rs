@@ -48,7 +48,7 @@ pub(super) fn pebble(size: u32) -> (Scene, View) {
         lights: list([lamp("lamp", DVec3::new(-6.0, 8.0, 5.0), Rgb::splat(0.95))]),
         objects: list([object("pebble", "stone", mesh(positions, facets))]),
     };
-    (scene, view([640, 480], DVec3::new(0.6, 0.9, 4.0), DVec3::ZERO, DVec3::Y, 46.0))
+    (scene, view([640, 480], DVec3::new(0.8, 1.2, 5.2), DVec3::ZERO, DVec3::Y, 42.0))
 }
 
 /// The corners of an icosahedron of radius 1: the ends of an axis, and two rings of five.

@@ -109,6 +109,11 @@ impl Hierarchy {
         self.nodes.first().map(|root| root.bounds)
     }
 
+    /// The memory that it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.nodes.as_slice()) + size_of_val(self.items.as_slice())
+    }
+
     /// Visits every item whose box the ray meets before `limit`, nearer boxes first. `visit` gets the item and the
     /// limit and gives the new one; a negative limit ends the visit.
     pub(crate) fn visit(&self, ray: &Ray, mut limit: f64, mut visit: impl FnMut(u32, f64) -> f64) {

@@ -6,6 +6,7 @@ mod body;
 mod contains;
 mod facets;
 pub(crate) mod hierarchy;
+mod memory;
 
 pub(crate) use body::{Body, Extent, Geometry};
 pub(crate) use facets::Facets;
