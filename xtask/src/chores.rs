@@ -1,5 +1,6 @@
 //! The chores: what the tests need, the tests themselves, and the checks of a submission.
 
+use crate::instructions;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -11,27 +12,31 @@ struct Tool {
     purpose: &'static str,
 }
 
-const TOOLS: [Tool; 2] = [
-    Tool {
-        probe: &["xmllint", "--version"],
-        package: "libxml2-utils",
-        purpose: "checks the example documents with the published schema",
-    },
-    Tool {
-        probe: &["/usr/bin/python3", "-c", "import numpy"],
-        package: "python3-numpy",
-        purpose: "renders scenes with the independent implementation under tests/outside",
-    },
-];
+const XMLLINT: Tool = Tool {
+    probe: &["xmllint", "--version"],
+    package: "libxml2-utils",
+    purpose: "checks the example documents with the published schema",
+};
+
+const PYTHON: Tool = Tool {
+    probe: &["/usr/bin/python3", "-c", "import numpy"],
+    package: "python3-numpy",
+    purpose: "renders scenes with the independent implementation under tests/outside",
+};
+
+const VALGRIND: Tool = Tool {
+    probe: &["valgrind", "--version"],
+    package: "valgrind",
+    purpose: "counts the instructions of small pictures, so that no change makes them dearer unseen",
+};
 
 /// Installs what is missing, then runs every test of the workspace and the independent implementation.
 pub(crate) fn test(root: &Path) -> Result<(), String> {
-    for tool in &TOOLS {
+    for tool in [&XMLLINT, &PYTHON] {
         provide(tool);
     }
     cargo(root, &["test", "--workspace", "--quiet"], &[])?;
-    let [_, python] = &TOOLS;
-    if succeeds(python.probe) {
+    if succeeds(PYTHON.probe) {
         cargo(root, &["build", "--package", "lancer"], &[])?;
         let lancer = root.join("target/debug/lancer");
         run(root, Command::new("/usr/bin/python3").arg("tests/outside/agrees.py").arg(lancer))?;
@@ -42,12 +47,14 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The tests, then formatting, lints and documentation, warnings as errors.
+/// The tests, then formatting, lints and documentation, warnings as errors, and the count of instructions.
 pub(crate) fn ci(root: &Path) -> Result<(), String> {
     test(root)?;
     cargo(root, &["fmt", "--all", "--check"], &[])?;
     cargo(root, &["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"], &[])?;
-    cargo(root, &["doc", "--workspace", "--no-deps", "--quiet"], &[("RUSTDOCFLAGS", "--deny warnings")])
+    cargo(root, &["doc", "--workspace", "--no-deps", "--quiet"], &[("RUSTDOCFLAGS", "--deny warnings")])?;
+    provide(&VALGRIND);
+    instructions::compare(root)
 }
 
 /// Installs a tool's package where the tool is missing and this user may. A test says itself what it leaves out.
@@ -75,7 +82,8 @@ fn succeeds(command: &[&str]) -> bool {
         .is_ok_and(|status| status.success())
 }
 
-fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
+/// Runs cargo in the checkout.
+pub(crate) fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
     run(root, Command::new(env!("CARGO")).args(arguments).envs(environment.iter().copied()))
 }
 
