@@ -123,3 +123,66 @@ fn placed(shape: &Shape) -> Option<(Vec<DVec3>, Arc<MeshGeometry>)> {
     let positions = mesh.geometry.positions.iter().map(|at| linear * *at + mesh.placement.position).collect();
     Some((positions, Arc::clone(&mesh.geometry)))
 }
+
+/// One object of every shape, with a material that has every coefficient, and one that has none.
+#[cfg(test)]
+fn every_shape() -> (Scene, View) {
+    use lancer_scene::{
+        Material, MaterialRef, Mesh, Object, Placement, PointLight, Rgb, Screen, ScreenSpec, Steps, Surface,
+    };
+    let glass = Surface {
+        ka: Rgb::new(0.25, 0.25, 0.0),
+        kd: Rgb::new(0.5, 0.25, 0.0),
+        ks: Rgb::new(0.25, 0.5, 0.75),
+        shininess: Rgb::splat(20.0),
+        kr: Rgb::splat(0.25),
+        kt: Rgb::splat(0.5),
+        index: Rgb::splat(1.5),
+        ..Surface::default()
+    };
+    let geometry = MeshGeometry {
+        positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+        facets: vec![[0, 1, 2]],
+        ..MeshGeometry::default()
+    };
+    let placement = Placement { scale: DVec3::splat(2.0), position: DVec3::Z * 7.0, ..Placement::default() };
+    let (p0, p1, p2) = (DVec3::ZERO, DVec3::X, DVec3::Y);
+    let below = DVec3::Y * -2.0;
+    let shapes = [
+        Shape::Sphere { center: DVec3::new(1.0, 2.0, 3.0), radius: 0.5 },
+        Shape::Plane { p0: below, p1: below + DVec3::Z, p2: below + DVec3::X },
+        Shape::Cube { center: DVec3::ZERO, edge: 2.0, rotation: DVec3::ZERO },
+        Shape::Parallelepiped { origin: DVec3::ZERO, edges: [DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Z] },
+        Shape::Facet { p0, p1, p2 },
+        Shape::Mesh(Mesh { geometry: Arc::new(geometry), source: None, placement, smooth: false }),
+    ];
+    let objects = (0..).zip(shapes).map(|(number, shape)| Object {
+        material: if number == 1 { MaterialRef::Default } else { MaterialRef::Named("glass".into()) },
+        ..Object::new(format!("object {number}"), shape)
+    });
+    let light = PointLight { color: Rgb::new(1.0, 0.5, 0.25), ..PointLight::new("lamp", DVec3::new(1.0, 2.0, 3.0)) };
+    let scene = Scene {
+        name: String::new(),
+        world: Environment {
+            ambient: Rgb::splat(0.5),
+            background: Rgb::new(0.0, 0.0, 0.5),
+            depth: 3,
+            ..Environment::default()
+        },
+        materials: std::iter::once(Material { name: "glass".into(), surface: glass }).collect(),
+        lights: std::iter::once(light).collect(),
+        objects: objects.collect(),
+    };
+    let screen = Screen { origin: DVec3::new(-1.0, 0.5, 4.0), u: DVec3::X * 2.0, v: -DVec3::Y };
+    let view = View {
+        name: "front".into(),
+        width: 200,
+        height: 100,
+        eye: DVec3::Z * 5.0,
+        screen: ScreenSpec::Frame(screen),
+        samples: 1,
+        depth: None,
+        steps: Steps::default(),
+    };
+    (scene, view)
+}

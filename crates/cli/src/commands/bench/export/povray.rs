@@ -106,3 +106,40 @@ fn vector(vector: DVec3) -> String {
 fn channels(values: Rgb) -> String {
     format!("<{}, {}, {}>", values.r, values.g, values.b)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::every_shape;
+
+    #[test]
+    fn every_shape_and_every_coefficient() {
+        let (scene, view) = every_shape();
+        let mut text = Vec::new();
+        super::write(&scene, &view, &mut text).unwrap();
+        assert_eq!(
+            String::from_utf8(text).unwrap(),
+            "\
+#version 3.7;
+global_settings { assumed_gamma 1 ambient_light rgb 1 max_trace_level 4 }
+background { rgb <0, 0, 0.5> }
+camera { perspective location <0, 0, 5> direction <0, 0, -1> right <2, 0, 0> up <0, 1, 0> }
+light_source { <1, 2, 3> rgb <1, 0.5, 0.25> }
+#declare Material0 = material { texture { pigment { rgb <1, 0.5, 0> transmit 0.5 } finish { ambient rgb <0.25, 0.5, 0> \
+diffuse 1 phong 0.5 phong_size 20 reflection { rgb <0.25, 0.25, 0.25> } } } interior { ior 1.5 } }
+sphere { <1, 2, 3>, 0.5 material { Material0 } }
+plane { <0, 1, 0>, -2 material { texture { pigment { rgb <0.6, 0.6, 0.6> transmit 0 } finish { \
+ambient rgb <0.16666666666666669, 0.16666666666666669, 0.16666666666666669> diffuse 1 } } } }
+box { 0, 1 matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, -1, -1, -1> material { Material0 } }
+box { 0, 1 matrix <1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0> material { Material0 } }
+triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> material { Material0 } }
+mesh2 { vertex_vectors { 3
+,<0,0,7>
+,<2,0,7>
+,<0,2,7>
+} face_indices { 1
+,<0,1,2>
+} material { Material0 } }
+"
+        );
+    }
+}

@@ -88,9 +88,46 @@ fn texture_of(surface: &Surface, ambient: Rgb) -> String {
 
 /// A point or direction in its axes.
 fn vector(vector: DVec3) -> String {
-    format!("{} {} {}", vector.x as f32, vector.y as f32, -vector.z as f32)
+    // a negative zero and a zero make a zero
+    let [x, y, z] = [vector.x, vector.y, -vector.z].map(|coordinate| coordinate as f32 + 0.0);
+    format!("{x} {y} {z}")
 }
 
 fn channels(values: Rgb) -> String {
     format!("{} {} {}", values.r, values.g, values.b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::every_shape;
+
+    #[test]
+    fn every_shape_and_every_coefficient() {
+        let (scene, view) = every_shape();
+        let mut text = Vec::new();
+        super::write(&scene, &view, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let (boxes, rest): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("TRI "));
+        // the eye at (0 0 5) looks at a screen of 2 by 1 at distance 1, of 200 by 100 pixels: half of one is 1/200
+        assert_eq!(
+            rest.join("\n"),
+            "\
+BEGIN_SCENE
+RESOLUTION 200 100
+CAMERA ZOOM 1.000024999687508 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 4
+CENTER 0 0 -5 VIEWDIR -0.004999875 -0.004999875 0.999975 UPDIR 0 1 0 END_CAMERA
+BACKGROUND 0 0 0.5
+LIGHT CENTER 1 2 -3 RAD 0.01 COLOR 1 0.5 0.25
+TEXDEF material0 AMBIENT 0.16666666666666666 DIFFUSE 0.5 SPECULAR 0.25 OPACITY 0.5 PHONG PLASTIC 0.5 PHONG_SIZE 20 \
+COLOR 1 0.5 0 TEXFUNC 0
+SPHERE CENTER 1 2 -3 RAD 0.5 material0
+PLANE CENTER 0 -2 0 NORMAL 0 1 0 TEXTURE AMBIENT 0.10000000000000002 DIFFUSE 0.6 SPECULAR 0 OPACITY 1 COLOR 1 1 1 \
+TEXFUNC 0
+END_SCENE"
+        );
+        // two boxes of twelve facets, the facet and the mesh's, which stands at z = 7
+        assert_eq!(boxes.len(), 26);
+        assert_eq!(boxes[24], "TRI V0 0 0 0 V1 0 1 0 V2 1 0 0 material0");
+        assert_eq!(boxes[25], "TRI V0 0 0 -7 V1 0 2 -7 V2 2 0 -7 material0");
+    }
 }
