@@ -58,8 +58,15 @@ fn size(text: &str) -> Option<(u32, u32)> {
 
 pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
     let context = Context { console: context.console.quiet_if(matches.get_flag("quiet")), ..context.clone() };
-    let asked: Vec<Case> = matches.get_many::<Vec<Case>>("names").into_iter().flatten().flatten().copied().collect();
-    let cases = if asked.is_empty() { Case::fixed() } else { asked };
+    let mut cases = Vec::new();
+    for case in matches.get_many::<Vec<Case>>("names").into_iter().flatten().flatten() {
+        if !cases.contains(case) {
+            cases.push(*case);
+        }
+    }
+    if cases.is_empty() {
+        cases = Case::fixed();
+    }
     let size = matches.get_one("size").copied().unwrap_or(SIZE);
     let pool = pool(flags::number_of(matches, "threads").unwrap_or(0))?;
     if let Some(folder) = matches.get_one::<PathBuf>("export") {

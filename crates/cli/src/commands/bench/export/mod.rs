@@ -12,10 +12,11 @@ use super::case::Case;
 use super::measure::{camera_and_lamp, generated, primitives};
 use super::rays::RaySets;
 use crate::{Context, Failure, console, target};
-use lancer_formats::{binary, xml};
+use lancer_formats::{binary, save, xml};
 use lancer_scene::{Compose, DVec3, Environment, MeshGeometry, Scene, Shape, View, Views};
 use lancer_trace::World;
 use rayon::ThreadPool;
+use rays::Met;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
@@ -63,9 +64,12 @@ pub(super) fn export(
     pool: &ThreadPool,
     context: &Context,
 ) -> Result<(), Failure> {
+    let list = folder.join("scenes.json");
+    // a folder that is not there is told before anything is computed
+    save::check(&list).map_err(Failure::Save)?;
     let scenes = cases.iter().map(|case| entry(folder, *case, size, pool, context)).collect::<Result<_, _>>()?;
     let manifest = Manifest { version: 1, width: size.0, height: size.1, scenes };
-    target::write(&folder.join("scenes.json"), context, |out| out.write_all(console::json(&manifest).as_bytes()))
+    target::write(&list, context, |out| out.write_all(console::json(&manifest).as_bytes()))
 }
 
 fn entry(folder: &Path, case: Case, size: (u32, u32), pool: &ThreadPool, context: &Context) -> Result<Entry, Failure> {
@@ -83,10 +87,10 @@ fn entry(folder: &Path, case: Case, size: (u32, u32), pool: &ThreadPool, context
     let facets_alone = scene.objects.iter().all(|object| matches!(object.shape, Shape::Mesh(_)));
     let (facets, rays) = match facets_alone {
         true => {
-            let (world, sets) = cast_sets(case, &scene, &view, pool)?;
+            let (sets, met) = cast_sets(case, &scene, &view, pool)?;
             (
                 Some(write("facets", &|out| facets::write(&scene, out))?),
-                Some(write("rays", &|out| rays::write(&world, &sets, pool, out))?),
+                Some(write("rays", &|out| rays::write(&sets, &met, out))?),
             )
         }
         false => (None, None),
@@ -107,13 +111,14 @@ fn entry(folder: &Path, case: Case, size: (u32, u32), pool: &ThreadPool, context
     })
 }
 
-/// The compiled scene and the rays of its picture.
-fn cast_sets(case: Case, scene: &Scene, view: &View, pool: &ThreadPool) -> Result<(World, RaySets), Failure> {
+/// The rays of a scene's picture, and what they meet.
+fn cast_sets(case: Case, scene: &Scene, view: &View, pool: &ThreadPool) -> Result<(RaySets, Met), Failure> {
     let world = pool.install(|| World::compile(scene));
     let (camera, lamp) = camera_and_lamp(case, scene, view)?;
     let sets = RaySets::new(&world, &camera, lamp, pool)
         .map_err(|_| Failure::Memory { width: view.width, height: view.height })?;
-    Ok((world, sets))
+    let met = Met::new(&world, &sets, pool);
+    Ok((sets, met))
 }
 
 /// Where the corners of an object's facets stand: of meshes, and of nothing else.
