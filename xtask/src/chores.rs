@@ -1,5 +1,6 @@
 //! The chores: what the tests need, the tests themselves, and the checks of a submission.
 
+use crate::instructions;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -51,6 +52,13 @@ const TOOLS: [Tool; 4] = [
     },
 ];
 
+/// Counts instructions.
+const VALGRIND: Tool = Tool {
+    probe: &["valgrind", "--version"],
+    packages: &["valgrind"],
+    purpose: "counts the instructions of small pictures, so that no change makes them dearer unseen",
+};
+
 /// Installs what is missing, then runs every test of the workspace and the independent implementation.
 pub(crate) fn test(root: &Path) -> Result<(), String> {
     for tool in &TOOLS {
@@ -68,12 +76,14 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The tests, then formatting, lints and documentation, warnings as errors.
+/// The tests, then formatting, lints and documentation, warnings as errors, and the count of instructions.
 pub(crate) fn ci(root: &Path) -> Result<(), String> {
     test(root)?;
     cargo(root, &["fmt", "--all", "--check"], &[])?;
     cargo(root, &["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"], &[])?;
-    cargo(root, &["doc", "--workspace", "--no-deps", "--quiet"], &[("RUSTDOCFLAGS", "--deny warnings")])
+    cargo(root, &["doc", "--workspace", "--no-deps", "--quiet"], &[("RUSTDOCFLAGS", "--deny warnings")])?;
+    provide(&VALGRIND);
+    instructions::compare(root)
 }
 
 /// Installs a tool's packages where the tool is missing and this user may. A test says itself what it leaves out.
@@ -102,7 +112,8 @@ fn succeeds(command: &[&str]) -> bool {
         .is_ok_and(|status| status.success())
 }
 
-fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
+/// Runs cargo in the checkout.
+pub(crate) fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
     run(root, Command::new(env!("CARGO")).args(arguments).envs(environment.iter().copied()))
 }
 

@@ -84,6 +84,14 @@ pub(crate) fn view_name(lang: Lang) -> Arg {
     option("view", lang, help::view_name_help(lang)).value_name(help::name_value(lang))
 }
 
+/// The most threads that can be asked for: far more than any machine has, far fewer than the system refuses.
+const MOST_THREADS: u64 = 1024;
+
+/// `--threads N`.
+pub(crate) fn threads(lang: Lang) -> Arg {
+    number("threads", lang, help::threads_help(lang), 1, MOST_THREADS)
+}
+
 /// `--max-rays N`.
 pub(crate) fn max_rays(lang: Lang) -> Arg {
     number("max-rays", lang, help::max_rays_help(lang, lancer_trace::Settings::MAX_RAYS), 1, u64::MAX)
@@ -166,7 +174,7 @@ pub(crate) fn changed_view(view: &View, matches: &ArgMatches) -> View {
 }
 
 /// `640x480`; a multiplication sign does too.
-fn size(text: &str) -> Option<(u32, u32)> {
+pub(crate) fn size(text: &str) -> Option<(u32, u32)> {
     let (width, height) = text.split_once(['x', 'X', '×'])?;
     let pixels = |text: &str| text.parse().ok().filter(|pixels| (1..=limits::PIXELS).contains(pixels));
     Some((pixels(width)?, pixels(height)?))

@@ -1,5 +1,6 @@
 //! What the command-line program says: its help, its failures, its tables.
 
+pub mod bench;
 pub mod help;
 pub mod usage;
 

@@ -20,9 +20,6 @@ use std::time::Instant;
 /// Where the picture goes if nothing is said (subject §5.3).
 const OUTPUT: &str = "output.ppm";
 
-/// The most threads that can be asked for: far more than any machine has, far fewer than the system refuses.
-const MOST_THREADS: u64 = 1024;
-
 /// The arguments, which belong to the program itself.
 pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
     let mut arguments = vec![
@@ -36,7 +33,7 @@ pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
     arguments.extend([
         flags::adaptive(lang),
         flags::region(lang),
-        flags::number("threads", lang, help::threads_help(lang), 1, MOST_THREADS),
+        flags::threads(lang),
         flags::engine(lang),
         flags::max_rays(lang),
         flags::switch("binary", lang, help::binary_help(lang)),

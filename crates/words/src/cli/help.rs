@@ -19,6 +19,8 @@ phrases! {
     output_value() { "OUTPUT", "IMAGE" }
     /// Any file.
     file_value() { "FILE", "FICHIER" }
+    /// A folder.
+    folder_value() { "FOLDER", "DOSSIER" }
     /// A name.
     name_value() { "NAME", "NOM" }
     /// A list.

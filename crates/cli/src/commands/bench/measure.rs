@@ -1,0 +1,200 @@
+//! Measuring one scene: building, rays of each kind by themselves, the whole picture; each several times, and the
+//! median counts.
+
+use super::case::Case;
+use super::cast;
+use super::rays::RaySets;
+use crate::{Context, Failure, progress};
+use indicatif::ProgressBar;
+use lancer_render::{RenderError, RenderOptions, render_still};
+use lancer_scene::{DVec3, Scene, Shape, View};
+use lancer_trace::{Camera, World};
+use rayon::ThreadPool;
+use std::num::NonZeroUsize;
+use std::time::{Duration, Instant};
+
+/// How everything is measured.
+#[derive(Debug)]
+pub(super) struct Conditions<'c> {
+    /// Columns and rows of the picture.
+    pub(super) size: (u32, u32),
+    /// How often each thing is measured, at least once.
+    pub(super) repeat: usize,
+    /// The threads that build and cast.
+    pub(super) pool: &'c ThreadPool,
+    /// Where the program speaks, and whether it is to stop.
+    pub(super) context: &'c Context,
+}
+
+/// What was found out about a scene. Durations are medians.
+#[derive(Debug)]
+pub(super) struct Measured {
+    pub(super) case: Case,
+    /// Spheres, planes and facets.
+    pub(super) primitives: u64,
+    /// Compiling the scene for rays.
+    pub(super) build: Duration,
+    /// The memory of the hierarchies and what is packed into their leaves.
+    pub(super) bytes: usize,
+    pub(super) primary: Cast,
+    pub(super) shadow: Cast,
+    pub(super) reflected: Cast,
+    pub(super) diffuse: Cast,
+    pub(super) frame: Frame,
+}
+
+/// A set of rays that was cast.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cast {
+    pub(super) rays: u64,
+    /// Those that met something.
+    pub(super) hits: u64,
+    pub(super) time: Duration,
+}
+
+/// A picture that was rendered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// Rays of all kinds.
+    pub(super) rays: u64,
+    pub(super) time: Duration,
+}
+
+/// The scene of a case, and its view in the size of the measurement.
+///
+/// # Errors
+/// None for the sizes that a case can have.
+pub(super) fn generated(case: Case, (width, height): (u32, u32)) -> Result<(Scene, View), Failure> {
+    let (scene, view) = case.family.generate(case.size).map_err(|rule| broken(case, rule))?;
+    Ok((scene, View { width, height, ..view }))
+}
+
+/// The camera of a generated view, and where the scene's first lamp stands.
+///
+/// # Errors
+/// None for generated views.
+pub(super) fn camera_and_lamp(case: Case, scene: &Scene, view: &View) -> Result<(Camera, DVec3), Failure> {
+    let camera = Camera::new(view).map_err(|rule| broken(case, rule))?;
+    Ok((camera, scene.lights.first().map_or(view.eye, |light| light.position)))
+}
+
+fn broken(case: Case, rule: lancer_scene::Invalid) -> Failure {
+    Failure::ViewInvalid { view: case.name().into(), rule }
+}
+
+/// Measures a scene.
+///
+/// # Errors
+/// Too little memory, or the wish to stop.
+pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measured, Failure> {
+    let Conditions { size, repeat, pool, context } = *conditions;
+    let bar = progress::bar(&context.console, &case.name());
+    // each of four sets is cast once more than it is timed
+    bar.set_length(1 + 6 * repeat as u64 + 4);
+    let (scene, view) = generated(case, size)?;
+    let (camera, lamp) = camera_and_lamp(case, &scene, &view)?;
+    bar.inc(1);
+
+    let timer = Timer { repeat, context, bar: &bar };
+    let (world, build) = timer.median(|| Ok(pool.install(|| World::compile(&scene))))?;
+    let sets =
+        RaySets::new(&world, &camera, lamp, pool).map_err(|_| Failure::Memory { width: size.0, height: size.1 })?;
+    let cast = |rays: usize, count: &dyn Fn() -> u64| {
+        // once before: the first touches memory that nobody has touched
+        timer.once(|| Ok(count()))?;
+        let (hits, time) = timer.median(|| Ok(count()))?;
+        Ok(Cast { rays: rays as u64, hits, time })
+    };
+    let primary = cast(sets.primary.len(), &|| cast::count_hits(&world, &sets.primary, pool))?;
+    let shadow =
+        cast(sets.shadow.points.len(), &|| cast::count_blocked(&world, sets.shadow.lamp, &sets.shadow.points, pool))?;
+    let reflected = cast(sets.reflected.len(), &|| cast::count_hits(&world, &sets.reflected, pool))?;
+    let diffuse = cast(sets.diffuse.len(), &|| cast::count_hits(&world, &sets.diffuse, pool))?;
+    drop(sets);
+    let stats = world.build_stats();
+
+    let options = RenderOptions { threads: NonZeroUsize::new(pool.current_num_threads()), ..RenderOptions::default() };
+    let render = || {
+        render_still(&world, &view, &options, &context.cancel, |_, _| {})
+            .map_err(|error: RenderError| Failure::render(error, &view))
+    };
+    let (still, time) = timer.median(render)?;
+    bar.finish_and_clear();
+    Ok(Measured {
+        case,
+        primitives: primitives(&scene),
+        build,
+        bytes: usize::try_from(stats.node_bytes + stats.leaf_bytes + stats.top_bytes).unwrap_or(usize::MAX),
+        primary,
+        shadow,
+        reflected,
+        diffuse,
+        frame: Frame { rays: still.counts.total(), time },
+    })
+}
+
+/// Spheres, planes and facets: what rays are tried against.
+pub(super) fn primitives(scene: &Scene) -> u64 {
+    let of_shape = |shape: &Shape| match shape {
+        Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } => 1,
+        Shape::Cube { .. } | Shape::Parallelepiped { .. } => 12,
+        Shape::Mesh(mesh) => mesh.geometry.facets.len() as u64,
+    };
+    scene.objects.iter().map(|object| of_shape(&object.shape)).sum()
+}
+
+/// Does things several times, looks whether it is to stop, and moves the bar.
+struct Timer<'t> {
+    repeat: usize,
+    context: &'t Context,
+    bar: &'t ProgressBar,
+}
+
+impl Timer<'_> {
+    /// Does a thing once and tells how long it took.
+    fn once<T>(&self, work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, Duration), Failure> {
+        let started = Instant::now();
+        let outcome = work()?;
+        let took = started.elapsed();
+        self.bar.inc(1);
+        if self.context.cancel.is_cancelled() { Err(Failure::Interrupted) } else { Ok((outcome, took)) }
+    }
+
+    /// Does a thing several times; gives what came of it last, and the median of the times.
+    fn median<T>(&self, mut work: impl FnMut() -> Result<T, Failure>) -> Result<(T, Duration), Failure> {
+        let (mut last, first) = self.once(&mut work)?;
+        let mut times = vec![first];
+        for _ in 1..self.repeat {
+            // what came before is gone first, so that memory is there for the next
+            drop(last);
+            let took;
+            (last, took) = self.once(&mut work)?;
+            times.push(took);
+        }
+        Ok((last, median(times)))
+    }
+}
+
+/// The middle one, or the mean of the middle two.
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    let middle = times.len() / 2;
+    match times.as_slice() {
+        [] => Duration::ZERO,
+        times if times.len().is_multiple_of(2) => (times[middle - 1] + times[middle]) / 2,
+        times => times[middle],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians() {
+        let of = |times: &[u64]| median(times.iter().copied().map(Duration::from_millis).collect());
+        assert_eq!(of(&[7]), Duration::from_millis(7));
+        assert_eq!(of(&[9, 1, 2]), Duration::from_millis(2));
+        assert_eq!(of(&[9, 1, 2, 4]), Duration::from_millis(3));
+    }
+}
