@@ -13,6 +13,7 @@
 
 use lancer_document::{StepName, attribute};
 use lancer_formats::load::{LoadOptions, load_scene, load_views};
+use lancer_render::Tracing;
 use lancer_render::live::{Job, Renderer, Session};
 use lancer_scene::{DVec3, Edit, Scene, ScreenSpec, Shape, Stage, View};
 use lancer_studio::dialogs::{Dialogs, Reply, Request};
@@ -104,7 +105,7 @@ fn edit(stage: &Stage, time: usize) -> Edit {
 /// Edits with so many sessions: the times to the first complete picture of all, and to the last pixel of all.
 fn sessions(stage: &Stage, count: usize, edits: usize) -> (Vec<f64>, Vec<f64>) {
     let (wake, news) = channel();
-    let mut renderer = Renderer::new(None, move || {
+    let mut renderer = Renderer::new(None, Tracing::default(), move || {
         // nobody waits any more
         let _ = wake.send(());
     });
@@ -175,7 +176,7 @@ fn window(stage: Stage, plan: Plan) {
     let begin = move |creation: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let dialogs = Box::new(NoDialogs);
         let (settings, lang) = (Settings::default(), Some(Lang::English));
-        let start = Start { settings, lang, stage, open: Vec::new(), dialogs, journals: None };
+        let start = Start { settings, lang, stage, open: Vec::new(), dialogs, journals: None, tracing: Tracing::default() };
         let studio = Studio::new(&creation.egui_ctx, start);
         Box::new(Measured { studio, plan, row: 0, phase: Phase::Begin, times: (Vec::new(), Vec::new()) })
     };

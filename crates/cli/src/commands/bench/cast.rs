@@ -9,11 +9,11 @@ use rayon::prelude::*;
 const PIECE: usize = 4096;
 
 /// The distance of the nearest hit of each ray, infinite where it meets nothing.
-pub(super) fn distances(world: &World, rays: &[Ray], pool: &ThreadPool, simd: Simd) -> Vec<f64> {
+pub(super) fn distances(world: &World, rays: &[Ray], pool: &ThreadPool) -> Vec<f64> {
     pool.install(|| {
         let pieces = rays.par_chunks(PIECE).map(|piece| {
             let mut distances = Vec::new();
-            Caster::new(world, simd).nearest(piece, &mut distances);
+            Caster::new(world, Simd::best()).nearest(piece, &mut distances);
             distances
         });
         pieces.flatten_iter().collect()
@@ -21,11 +21,11 @@ pub(super) fn distances(world: &World, rays: &[Ray], pool: &ThreadPool, simd: Si
 }
 
 /// Whether something stands between a lamp and each of the points.
-pub(super) fn blocked(world: &World, lamp: DVec3, points: &[DVec3], pool: &ThreadPool, simd: Simd) -> Vec<bool> {
+pub(super) fn blocked(world: &World, lamp: DVec3, points: &[DVec3], pool: &ThreadPool) -> Vec<bool> {
     pool.install(|| {
         let pieces = points.par_chunks(PIECE).map(|piece| {
             let mut blocked = Vec::new();
-            Caster::new(world, simd).blocked(lamp, piece, &mut blocked);
+            Caster::new(world, Simd::best()).blocked(lamp, piece, &mut blocked);
             blocked
         });
         pieces.flatten_iter().collect()

@@ -6,9 +6,9 @@ use super::cast;
 use super::rays::RaySets;
 use crate::{Context, Failure, progress};
 use indicatif::ProgressBar;
-use lancer_render::{RenderError, RenderOptions, render_still};
+use lancer_render::{RenderError, RenderOptions, Tracing, render_still};
 use lancer_scene::{DVec3, Scene, Shape, View};
-use lancer_trace::{Camera, World};
+use lancer_trace::{Camera, Simd, World};
 use rayon::ThreadPool;
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
@@ -22,6 +22,8 @@ pub(super) struct Conditions<'c> {
     pub(super) repeat: usize,
     /// The threads that build and cast.
     pub(super) pool: &'c ThreadPool,
+    /// The instructions that the engine uses.
+    pub(super) simd: Simd,
     /// Where the program speaks, and whether it is to stop.
     pub(super) context: &'c Context,
 }
@@ -87,7 +89,7 @@ fn broken(case: Case, rule: lancer_scene::Invalid) -> Failure {
 /// # Errors
 /// Too little memory, or the wish to stop.
 pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measured, Failure> {
-    let Conditions { size, repeat, pool, context } = *conditions;
+    let Conditions { size, repeat, pool, simd, context } = *conditions;
     let bar = progress::bar(&context.console, &case.name());
     // each of four sets is cast once more than it is timed
     bar.set_length(1 + 6 * repeat as u64 + 4);
@@ -105,15 +107,17 @@ pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measure
         let (hits, time) = timer.median(|| Ok(count()))?;
         Ok(Cast { rays: rays as u64, hits, time })
     };
-    let primary = cast(sets.primary.len(), &|| cast::count_hits(&world, &sets.primary, pool))?;
-    let shadow =
-        cast(sets.shadow.points.len(), &|| cast::count_blocked(&world, sets.shadow.lamp, &sets.shadow.points, pool))?;
-    let reflected = cast(sets.reflected.len(), &|| cast::count_hits(&world, &sets.reflected, pool))?;
-    let diffuse = cast(sets.diffuse.len(), &|| cast::count_hits(&world, &sets.diffuse, pool))?;
+    let primary = cast(sets.primary.len(), &|| cast::count_hits(&world, &sets.primary, pool, simd))?;
+    let shadow = cast(sets.shadow.points.len(), &|| {
+        cast::count_blocked(&world, sets.shadow.lamp, &sets.shadow.points, pool, simd)
+    })?;
+    let reflected = cast(sets.reflected.len(), &|| cast::count_hits(&world, &sets.reflected, pool, simd))?;
+    let diffuse = cast(sets.diffuse.len(), &|| cast::count_hits(&world, &sets.diffuse, pool, simd))?;
     drop(sets);
     let stats = world.build_stats();
 
-    let options = RenderOptions { threads: NonZeroUsize::new(pool.current_num_threads()), ..RenderOptions::default() };
+    let threads = NonZeroUsize::new(pool.current_num_threads());
+    let options = RenderOptions { threads, tracing: Tracing::Engine(simd), ..RenderOptions::default() };
     let render = || {
         render_still(&world, &view, &options, &context.cancel, |_, _| {})
             .map_err(|error: RenderError| Failure::render(error, &view))

@@ -76,7 +76,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         context.console.tell(&(words::unoptimised(context.console.lang) + "\n"));
     }
     let repeat = flags::number_of(matches, "repeat").unwrap_or(REPEAT);
-    let conditions = Conditions { size, repeat, pool: &pool, context: &context };
+    let conditions = Conditions { size, repeat, pool: &pool, simd: flags::simd()?, context: &context };
     let measured = cases.into_iter().map(|case| measure::measure(case, &conditions)).collect::<Result<Vec<_>, _>>()?;
     let report = Report::new(size, pool.current_num_threads(), repeat, &measured);
     match matches.get_flag("json") {
