@@ -25,13 +25,19 @@ impl Way {
 /// Three channels have three ways at most.
 const WAYS: usize = 3;
 
-/// The rays that leave the points of a packet.
+/// The rays that leave the points of a packet along `R`.
 #[derive(Clone, Copy)]
 struct Leaving {
     /// The lanes that are mirrored, and those that are totally reflected, for each channel: one ray serves both.
     mirrored: [u8; 3],
     total: [u8; 3],
-    /// The lanes that pass, by way.
+}
+
+/// The rays that pass through the points of a packet.
+#[derive(Clone, Copy)]
+struct Passing {
+    /// The packet's place in its block.
+    place: usize,
     ways: [Way; WAYS],
     /// The stack of media beyond the surface.
     beyond: [u32; 8],
@@ -53,22 +59,30 @@ impl Path<'_> {
             return;
         }
         let mut leaving: PerPacket<Leaving> = PerPacket::new();
-        for place in 0..points.len() {
-            leaving.push(self.leaving(&block.packets[place], &points[place], &groups[place]));
+        let mut passing: PerPacket<Passing> = PerPacket::new();
+        for (place, at) in points.iter().enumerate() {
+            leaving.push(self.leaving(place, &block.packets[place], at, &groups[place], &mut passing));
         }
         if leaving.iter().any(|leaving| any(&leaving.mirrored) | any(&leaving.total) != 0) {
             B::enter(Reflect { path: self, block, points, leaving: &leaving, mirrored, refracted });
         }
         for way in 0..WAYS {
-            if leaving.iter().any(|leaving| any(&leaving.ways[way].channels) != 0) {
-                B::enter(Refract { path: self, block, points, leaving: &leaving, way, refracted });
+            if passing.iter().any(|passing| any(&passing.ways[way].channels) != 0) {
+                B::enter(Refract { path: self, block, points, passing: &passing, way, refracted });
             }
         }
     }
 
     /// Which rays leave the points of a packet.
     #[inline(always)]
-    fn leaving<B: Backend>(&mut self, packet: &Packet<B>, at: &Points<B>, groups: &Groups) -> Leaving {
+    fn leaving<B: Backend>(
+        &mut self,
+        place: usize,
+        packet: &Packet<B>,
+        at: &Points<B>,
+        groups: &Groups,
+        passing: &mut PerPacket<Passing>,
+    ) -> Leaving {
         let steps = self.settings.steps;
         let (mut mirrored, mut glass) = ([0_u8; 3], [0_u8; 3]);
         let open = !self.spent[packet.place];
@@ -84,10 +98,11 @@ impl Path<'_> {
                 }
             }
         }
-        let mut leaving = Leaving { mirrored, total: [0; 3], ways: [Way::NONE; WAYS], beyond: packet.media };
+        let mut leaving = Leaving { mirrored, total: [0; 3] };
         if any(&glass) != 0 {
-            self.find_ways(packet, at, glass, &mut leaving);
-            for way in &mut leaving.ways {
+            let mut found = Passing { place, ways: [Way::NONE; WAYS], beyond: packet.media };
+            self.find_ways(packet, at, glass, &mut found);
+            for way in &mut found.ways {
                 if any(&way.channels) != 0 {
                     let (reflected, _) = refract::<B>(packet, at, way);
                     for channel in 0..3 {
@@ -96,13 +111,14 @@ impl Path<'_> {
                     }
                 }
             }
+            passing.push(found);
         }
         leaving
     }
 
     /// Where the refracted channels go: those with equal `n/n'` share a way. Light goes straight on through sheets.
     #[inline(always)]
-    fn find_ways<B: Backend>(&mut self, packet: &Packet<B>, at: &Points<B>, channels: [u8; 3], found: &mut Leaving) {
+    fn find_ways<B: Backend>(&mut self, packet: &Packet<B>, at: &Points<B>, channels: [u8; 3], found: &mut Passing) {
         // lanes side by side mostly do the same
         let mut last = None;
         for lane in lanes(any(&channels)) {
@@ -178,7 +194,7 @@ struct Refract<'s, 'p, B: Backend> {
     path: &'s mut Path<'p>,
     block: &'s Block<B>,
     points: &'s PerPacket<Points<B>>,
-    leaving: &'s PerPacket<Leaving>,
+    passing: &'s PerPacket<Passing>,
     way: usize,
     refracted: &'s mut PerPacket<Colors<B>>,
 }
@@ -187,18 +203,17 @@ impl<B: Backend> Step<B> for Refract<'_, '_, B> {
     #[inline(always)]
     fn run(self) {
         let mut onward = Onward::<B>::new(RayKind::Refracted, self.block.level + 1);
-        for (place, (packet, at)) in self.block.packets.iter().zip(self.points).enumerate() {
-            let leaving = &self.leaving[place];
-            let way = &leaving.ways[self.way];
+        for passing in self.passing {
+            let way = &passing.ways[self.way];
             if any(&way.channels) != 0 {
+                let (packet, at) = (&self.block.packets[passing.place], &self.points[passing.place]);
                 let (_, direction) = refract::<B>(packet, at, way);
-                onward.push(place, at, packet, direction, way.channels, leaving.beyond);
+                onward.push(passing.place, at, packet, direction, way.channels, passing.beyond);
             }
         }
         let seen = onward.cast(self.path);
-        for (&place, seen) in onward.from.iter().zip(&seen) {
-            let channels = &self.leaving[place].ways[self.way].channels;
-            self.refracted[place] = taken::<B>(channels, seen, &self.refracted[place]);
+        for ((&place, seen), packet) in onward.from.iter().zip(&seen).zip(&onward.block.packets) {
+            self.refracted[place] = taken::<B>(&packet.channels, seen, &self.refracted[place]);
         }
     }
 }

@@ -110,7 +110,7 @@ impl Image<'_> {
             eye_lies_on: self.eye_lies_on,
             stacks: Stacks::new(self.world, self.media_of_eye),
             counts: RayCounts::default(),
-            rays: [[0; 8]; PACKETS],
+            rays: [[0.0; 8]; PACKETS],
             spent: [0; PACKETS],
             cancelled: false,
             blocks: 0,
@@ -124,7 +124,7 @@ impl Image<'_> {
     /// At most sixty-four pixels.
     #[inline(always)]
     fn block<B: Backend>(&self, path: &mut Path<'_>, pixels: &[(u32, u32)], colors: &mut [Result<Rgb, TraceError>]) {
-        path.rays = [[0; 8]; PACKETS];
+        path.rays = [[0.0; 8]; PACKETS];
         path.spent = [0; PACKETS];
         let zero = B::Real::splat(0.0);
         let packets = pixels.len().div_ceil(8);

@@ -5,7 +5,7 @@ use super::hidden_surfaces::Nearest;
 use super::lanes::{Mask, Real};
 use super::light::{add, add_lamp, clamp01, select, splat};
 use super::media::Stacks;
-use super::packet::{Block, Colors, Hits, PACKETS, PerPacket};
+use super::packet::{Block, Colors, Hits, PACKETS, Packet, PerPacket};
 use super::shadows::{Blocked, ToLamp};
 use super::surface_point::Points;
 use super::vector::{Vector, equal, mask};
@@ -24,7 +24,7 @@ pub(super) struct Path<'t> {
     pub(super) stacks: Stacks,
     pub(super) counts: RayCounts,
     /// The rays that each pixel has cost.
-    pub(super) rays: [[u64; 8]; PACKETS],
+    pub(super) rays: [[f64; 8]; PACKETS],
     /// The pixels, by packet, that have cost too much: nothing more is traced for them.
     pub(super) spent: [u8; PACKETS],
     pub(super) cancelled: bool,
@@ -41,21 +41,14 @@ pub(super) type Groups = ArrayVec<(u32, u8), 8>;
 impl Path<'_> {
     /// Counts rays against the budgets of their pixels; gives those that may be traced.
     #[inline(always)]
-    fn spend(&mut self, place: usize, wanted: u8) -> u8 {
-        let mut wanted = wanted & !self.spent[place];
-        let limit = self.settings.max_rays;
-        let rays = &mut self.rays[place];
-        let mut over = 0_u8;
-        for lane in 0..8 {
-            let one = u64::from(wanted >> lane & 1);
-            over |= u8::from(rays[lane] + one > limit) << lane;
-            rays[lane] += one;
-        }
-        if over & wanted != 0 {
-            self.spent[place] |= over & wanted;
-            wanted &= !over;
-        }
-        wanted
+    fn spend<B: Backend>(&mut self, place: usize, wanted: u8) -> u8 {
+        let wanted = wanted & !self.spent[place];
+        let (zero, one) = (B::Real::splat(0.0), B::Real::splat(1.0));
+        let rays = B::Real::load(&self.rays[place]) + B::Real::select(mask::<B::Real>(wanted), one, zero);
+        self.rays[place] = rays.store();
+        let over = rays.gt(B::Real::splat(self.settings.max_rays as f64)).bits() & wanted;
+        self.spent[place] |= over;
+        wanted & !over
     }
 
     /// Looks at the flag now and then.
@@ -76,7 +69,7 @@ impl Path<'_> {
         self.poll();
         let mut cast = 0;
         for packet in &mut block.packets {
-            packet.mask = if self.cancelled { 0 } else { self.spend(packet.place, packet.mask) };
+            packet.mask = if self.cancelled { 0 } else { self.spend::<B>(packet.place, packet.mask) };
             cast += u64::from(packet.mask.count_ones());
         }
         match block.kind {
@@ -170,14 +163,12 @@ impl Path<'_> {
                 let in_front = at.geometric.dot(segment).gt(roundings) & at.normal.dot(to_lamp).gt(zero);
                 let mut lit = in_front.bits() & !distance.eq(zero).bits() & at.mask & !self.spent[packet.place];
                 if self.settings.steps.shadows {
-                    lit = self.spend(packet.place, lit);
+                    lit = self.spend::<B>(packet.place, lit);
                     self.counts.shadow += u64::from(lit.count_ones());
                 }
                 if lit != 0 {
-                    let mut packet = *packet;
-                    (packet.origin, packet.direction) = (at.point, to_lamp);
-                    (packet.mask, packet.start) = (lit, at.body);
-                    rays.push(ToLamp { packet, distance });
+                    let (origin, direction, start) = (at.point, to_lamp, at.body);
+                    rays.push(ToLamp { packet: Packet { origin, direction, mask: lit, start, ..*packet }, distance });
                     places.push(place);
                 }
             }

@@ -63,13 +63,28 @@ impl<L: Lanes> Points<L> {
                     (seen - normal * normal.dot(seen - Vector::splat(*p0)), normal)
                 }
                 Geometry::Facets(facets) => {
-                    let on = OnFacets::gather(facets, hits, group, &mut points.surface);
-                    if on.smooth != 0 {
-                        smooth = Vector::select(mask::<L::Real>(group), Vector::load(&on.smooth_normal), smooth);
-                        is_smooth |= on.smooth;
+                    let first = hits.facet[group.trailing_zeros() as usize];
+                    if group & !equal(&hits.facet, first) == 0 && facets.normals(first).is_none() {
+                        // all on one flat facet
+                        let [p0, p1, p2] = facets.corners(first);
+                        if let Some(part) = facets.surface(first) {
+                            for lane in lanes(group) {
+                                points.surface[lane] = part;
+                            }
+                        }
+                        let (u, v) = (p1 - p0, p2 - p0);
+                        let along = Vector::splat(u) * hits.alpha;
+                        let point = Vector::splat(p0) + along + Vector::splat(v) * hits.beta;
+                        (point, Vector::splat(u.cross(v).normalize()))
+                    } else {
+                        let on = OnFacets::gather(facets, hits, group, &mut points.surface);
+                        if on.smooth != 0 {
+                            smooth = Vector::select(mask::<L::Real>(group), Vector::load(&on.smooth_normal), smooth);
+                            is_smooth |= on.smooth;
+                        }
+                        let (u, v): (Vector<L::Real>, _) = (Vector::load(&on.u), Vector::load(&on.v));
+                        (Vector::load(&on.p0) + u * hits.alpha + v * hits.beta, Vector::load(&on.normal))
                     }
-                    let (u, v): (Vector<L::Real>, _) = (Vector::load(&on.u), Vector::load(&on.v));
-                    (Vector::load(&on.p0) + u * hits.alpha + v * hits.beta, Vector::load(&on.normal))
                 }
             };
             let chosen = mask::<L::Real>(group);
