@@ -20,9 +20,10 @@ pub fn render_pixel(
 ) -> Result<Color, RenderError> {
     let tracer = PixelTracer::new(tracing, world, camera, settings, cancel);
     let trace = || {
-        let mut colors = Vec::new();
-        tracer.pixels(&[place], &mut colors, &mut RayCounts::default());
-        colors.pop().unwrap_or(Err(TraceError::Cancelled))
+        let mut found = Err(TraceError::Cancelled);
+        // without an answer the end was asked for
+        let _ = tracer.pixels(&[place], &mut RayCounts::default(), |_| true, |_, color| found = color);
+        found
     };
     let color = std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(PixelTracer::<&World>::STACK).spawn_scoped(scope, trace);

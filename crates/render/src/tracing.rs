@@ -59,12 +59,32 @@ impl Tracing {
 
 /// Either of them at work on one picture.
 #[derive(Clone, Debug)]
-pub(crate) enum PixelTracer<W> {
-    Engine(Engine<W>),
-    Reference(Tracer<W>, Cancel),
+pub(crate) struct PixelTracer<W> {
+    kind: Kind<W>,
+    cancel: Cancel,
 }
 
-impl<W: Borrow<World>> PixelTracer<W> {
+#[derive(Clone, Debug)]
+enum Kind<W> {
+    Engine {
+        /// Whose pixels may cost no more than [`TOGETHER`].
+        engine: Engine<W>,
+        /// Whose pixels may cost as much as the settings say, where that is more.
+        patient: Option<Box<Engine<W>>>,
+    },
+    Reference(Tracer<W>),
+}
+
+/// How many rays each pixel of a block may cost while the whole block is traced together.
+///
+/// The rays of a block go down together, so where no pixel ever ends, all of them would cost their budgets before the
+/// first is known to exceed it. A block with a pixel that costs more than this is traced again packet by packet.
+const TOGETHER: u64 = 1 << 16;
+
+/// The pixels of a packet.
+const PACKET: usize = 8;
+
+impl<W: Borrow<World> + Clone> PixelTracer<W> {
     /// How much stack a thread needs to follow rays down to the greatest depth.
     pub(crate) const STACK: usize = 16 << 20;
 
@@ -75,38 +95,70 @@ impl<W: Borrow<World>> PixelTracer<W> {
         settings: Settings,
         cancel: &Cancel,
     ) -> PixelTracer<W> {
-        match tracing {
-            Tracing::Engine(simd) => PixelTracer::Engine(Engine::new(world, camera, settings, cancel, simd)),
-            Tracing::Reference => PixelTracer::Reference(Tracer::new(world, camera, settings, cancel), cancel.clone()),
-        }
+        let kind = match tracing {
+            Tracing::Engine(simd) => {
+                let engine = |max_rays| {
+                    let settings = Settings { max_rays, ..settings };
+                    Engine::new(world.clone(), camera, settings, cancel, simd)
+                };
+                let patient = (settings.max_rays > TOGETHER).then(|| Box::new(engine(settings.max_rays)));
+                Kind::Engine { engine: engine(settings.max_rays.min(TOGETHER)), patient }
+            }
+            Tracing::Reference => Kind::Reference(Tracer::new(world, camera, settings, cancel)),
+        };
+        PixelTracer { kind, cancel: cancel.clone() }
     }
 
-    /// How many pixels should be asked for at a time, where somebody may want to stop in between.
-    pub(crate) fn batch(&self) -> usize {
-        match self {
-            PixelTracer::Engine(_) => BLOCK,
-            PixelTracer::Reference(..) => 1,
-        }
-    }
-
-    /// The colours of pixels in their order.
+    /// Hands the colours of pixels to `take`, in their order, and counts their rays. `wanted` is asked for some pixels
+    /// at a time before they are traced; those that are not wanted are left out.
+    ///
+    /// Gives `None` as soon as the end is asked for.
     pub(crate) fn pixels(
         &self,
         pixels: &[(u32, u32)],
-        colors: &mut Vec<Result<Color, TraceError>>,
         counts: &mut RayCounts,
-    ) {
-        match self {
-            PixelTracer::Engine(engine) => engine.pixels(pixels, colors, counts),
-            PixelTracer::Reference(tracer, cancel) => {
-                colors.clear();
-                colors.extend(pixels.iter().map(|&(x, y)| match cancel.is_cancelled() {
-                    // the tracer itself looks at the flag only within a pixel of many rays
-                    true => Err(TraceError::Cancelled),
-                    false => tracer.pixel(x, y, counts),
-                }));
+        wanted: impl Fn(&[(u32, u32)]) -> bool,
+        mut take: impl FnMut((u32, u32), Result<Color, TraceError>),
+    ) -> Option<()> {
+        let mut take = |pixels: &[(u32, u32)], colors: &[Result<Color, TraceError>]| {
+            let finished = !colors.contains(&Err(TraceError::Cancelled));
+            finished.then(|| pixels.iter().zip(colors).for_each(|(&pixel, &color)| take(pixel, color)))
+        };
+        let wanted = |pixels: &[(u32, u32)]| (!self.cancel.is_cancelled()).then(|| wanted(pixels));
+        let mut colors = Vec::new();
+        match &self.kind {
+            Kind::Engine { engine, patient } => {
+                for block in pixels.chunks(BLOCK) {
+                    if !wanted(block)? {
+                        continue;
+                    }
+                    let mut cost = RayCounts::default();
+                    engine.pixels(block, &mut colors, &mut cost);
+                    let spent = colors.iter().any(|color| matches!(color, Err(TraceError::Budget { .. })));
+                    let Some(patient) = patient.as_ref().filter(|_| spent) else {
+                        *counts += cost;
+                        take(block, &colors)?;
+                        continue;
+                    };
+                    for packet in block.chunks(PACKET) {
+                        if wanted(packet)? {
+                            patient.pixels(packet, &mut colors, counts);
+                            take(packet, &colors)?;
+                        }
+                    }
+                }
+            }
+            Kind::Reference(tracer) => {
+                for pixel in pixels.chunks(1) {
+                    if wanted(pixel)? {
+                        colors.clear();
+                        colors.extend(pixel.iter().map(|&(x, y)| tracer.pixel(x, y, counts)));
+                        take(pixel, &colors)?;
+                    }
+                }
             }
         }
+        Some(())
     }
 }
 

@@ -5,7 +5,7 @@ use crate::tile::tile;
 use crate::tracing::PixelTracer;
 use crate::{Region, RenderError};
 use lancer_scene::Color;
-use lancer_trace::{Cancel, RayCounts, TraceError, World};
+use lancer_trace::{Cancel, RayCounts, World};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc;
 use std::thread;
@@ -134,37 +134,23 @@ impl<'a, Wanted: Fn(u32, u32) -> bool + Sync> Work<'a, Wanted> {
 
     /// The colours of a tile's pixels; `None` if it is left unfinished because nobody wants it any more.
     fn trace(&self, size: u64, pixels: Vec<(u32, u32)>) -> Option<Result<Done, Failure>> {
-        let mut counts = RayCounts::default();
-        let (mut colors, mut found) = (Vec::with_capacity(pixels.len()), Vec::new());
+        let (mut counts, mut colors) = (RayCounts::default(), Vec::with_capacity(pixels.len()));
         let mut failure = None::<Failure>;
-        for pixels in pixels.chunks(self.tracer.batch()) {
+        let wanted = |pixels: &[(u32, u32)]| {
             let first = pixels.iter().map(|&pixel| self.number(pixel)).min();
-            if self.cancel.is_cancelled() {
-                return None;
-            }
-            if first.is_some_and(|first| self.is_beyond(first)) {
-                continue;
-            }
-            self.tracer.pixels(pixels, &mut found, &mut counts);
-            for (&pixel, color) in pixels.iter().zip(&found) {
-                match *color {
-                    Ok(color) => colors.push(color),
-                    Err(TraceError::Cancelled) => return None,
-                    Err(TraceError::Budget { .. } | TraceError::NotFinite)
-                        if !self.needed.contains(pixel.0, pixel.1) =>
-                    {
-                        colors.push(Color::splat(f64::NAN));
-                    }
-                    Err(error @ (TraceError::Budget { .. } | TraceError::NotFinite)) => {
-                        let number = self.number(pixel);
-                        self.failed.fetch_min(number, Ordering::Relaxed);
-                        if failure.as_ref().is_none_or(|earlier| number < earlier.pixel) {
-                            failure = Some(Failure { pixel: number, error: RenderError::at(pixel, error) });
-                        }
-                    }
+            first.is_some_and(|first| !self.is_beyond(first))
+        };
+        self.tracer.pixels(&pixels, &mut counts, wanted, |pixel, color| match color {
+            Ok(color) => colors.push(color),
+            Err(_) if !self.needed.contains(pixel.0, pixel.1) => colors.push(Color::splat(f64::NAN)),
+            Err(error) => {
+                let number = self.number(pixel);
+                self.failed.fetch_min(number, Ordering::Relaxed);
+                if failure.as_ref().is_none_or(|earlier| number < earlier.pixel) {
+                    failure = Some(Failure { pixel: number, error: RenderError::at(pixel, error) });
                 }
             }
-        }
+        })?;
         if let Some(failure) = failure {
             return Some(Err(failure));
         }

@@ -259,6 +259,26 @@ fn a_costly_pixel_beside_an_adaptive_region_is_taken_for_different() {
     assert_eq!(render(&scene, &view, &options).unwrap().refined, Some(1), "although no colour differs by more than 1");
 }
 
+/// Pixels that cost more rays than are traced together at first.
+#[test]
+fn expensive_pixels_have_the_references_colour_and_rays() {
+    let mut scene = costly_corner();
+    scene.world.depth = 18;
+    let options = |tracing| RenderOptions {
+        tracing,
+        max_rays: Some(u64::MAX),
+        region: Some(Region { x: 65, y: 45, width: 2, height: 1 }),
+        ..threads(2)
+    };
+    let still = |tracing| render(&scene, &view(90, 60), &options(tracing)).unwrap();
+    let reference = still(Tracing::Reference);
+    assert!(reference.counts.total() > 2 * 65_536, "{:?}", reference.counts);
+    for tracing in tracings() {
+        let still = still(tracing);
+        assert_eq!((still.picture, still.counts), (reference.picture.clone(), reference.counts), "{tracing:?}");
+    }
+}
+
 /// The greatest depth, where a picture's pixels cost as many rays as they may: the stacks of the threads suffice.
 #[test]
 fn rays_go_down_to_the_greatest_depth() {

@@ -176,7 +176,8 @@ fn window(stage: Stage, plan: Plan) {
     let begin = move |creation: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let dialogs = Box::new(NoDialogs);
         let (settings, lang) = (Settings::default(), Some(Lang::English));
-        let start = Start { settings, lang, stage, open: Vec::new(), dialogs, journals: None, tracing: Tracing::default() };
+        let start =
+            Start { settings, lang, stage, open: Vec::new(), dialogs, journals: None, tracing: Tracing::default() };
         let studio = Studio::new(&creation.egui_ctx, start);
         Box::new(Measured { studio, plan, row: 0, phase: Phase::Begin, times: (Vec::new(), Vec::new()) })
     };

@@ -267,23 +267,18 @@ fn compute(task: &Task, unit: Unit) -> Option<Message> {
     let mut pixels = Vec::new();
     unit.pixels().for_each(|pixel| pixels.push(pixel));
     let (mut colors, mut counts, mut fault) = (Vec::with_capacity(pixels.len()), RayCounts::default(), None);
-    let mut found = Vec::new();
-    for pixels in pixels.chunks(task.tracer.batch()) {
-        if task.cancel.is_cancelled() {
-            return None;
-        }
-        task.tracer.pixels(pixels, &mut found, &mut counts);
-        for (&(x, y), color) in pixels.iter().zip(&found) {
-            match *color {
-                Ok(color) => colors.push(color.to_bytes()),
-                Err(TraceError::Cancelled) => return None,
-                Err(error @ (TraceError::Budget { .. } | TraceError::NotFinite)) => {
-                    fault = first_in_row_order(fault, Some((x, y, error)));
-                    colors.push(FAULT);
-                }
+    task.tracer.pixels(
+        &pixels,
+        &mut counts,
+        |_| true,
+        |(x, y), color| match color {
+            Ok(color) => colors.push(color.to_bytes()),
+            Err(error) => {
+                fault = first_in_row_order(fault, Some((x, y, error)));
+                colors.push(FAULT);
             }
-        }
-    }
+        },
+    )?;
     Some(Message::Unit { generation: task.generation, unit, colors, counts, fault })
 }
 

@@ -7,6 +7,7 @@
 //!
 //! [`lanes`] are eight numbers; [`packet`] holds eight rays, and blocks of eight packets; [`hidden_surfaces`] and [`shadows`]
 //! find hits, [`surface_point`] points, [`light`] and [`bounce`] colours; [`path`] is the recursion, [`dispatch`] the way in.
+#![allow(clippy::needless_range_loop, reason = "closures of iterators are not compiled for a backend")]
 
 mod bounce;
 mod caster;
