@@ -63,6 +63,21 @@ RAYS = {
 }
 
 
+def wall(run):
+    """Seconds of the clock that a run took, from its start to its end."""
+    return run.wall
+
+
+def processor(run):
+    """Seconds that the processors worked for a run."""
+    return run.cpu
+
+
+def memory(run):
+    """The most memory that a run had, in MiB."""
+    return run.memory
+
+
 def rate(program, run):
     """Million rays of all kinds per second of tracing, as far as the program counts them."""
     rays, seconds = RAYS[program](run), TRACING[program](run)
@@ -116,38 +131,29 @@ class Comparison:
             stem = name.replace(":", "-")
             files = [scene[kind] for kind in ("scene", "view", "povray", "tachyon")]
             runs = self.turns.rounds(self.picture_programs(stem, *files, with_text=name.startswith("course")), rounds)
-            mine = median(runs.get("lancer", []), lambda run: run.wall)
-            mine_tracing = median(runs.get("lancer", []), TRACING["lancer"])
+            mine = runs.get("lancer", [])
             for program, taken in runs.items():
-                whole = median(taken, lambda run: run.wall)
                 self.results["pictures"].setdefault(name, {})[program] = {
-                    "wall": whole,
-                    "cpu": median(taken, lambda run: run.cpu),
-                    "memory": median(taken, lambda run: run.memory),
+                    "wall": median(taken, wall),
+                    "cpu": median(taken, processor),
+                    "memory": median(taken, memory),
                     "tracing": median(taken, TRACING[program]) if program in TRACING else None,
                     "foreign": [round(run.foreign, 3) for run in taken],
                 }
                 if program == "lancer P3":
-                    texts.append((name, whole, mine))
+                    texts.append((name, median(taken, wall), median(mine, wall)))
                     continue
-                pixels = self.agreement(stem, program) if mine else None
-                rows.append([
-                    name if program == next(iter(runs)) else "",
-                    f"{scene['primitives']}" if program == next(iter(runs)) else "",
-                    program,
-                    shown(taken, lambda run: run.wall, 3),
-                    shown(taken, TRACING[program], 3),
-                    shown(taken, lambda run: rate(program, run), 1),
-                    shown(taken, lambda run: run.cpu),
-                    shown(taken, lambda run: run.memory, 0),
-                    times(whole / mine) if mine and program != "lancer" else "",
-                    times(median(taken, TRACING[program]) / mine_tracing) if mine and program != "lancer" else "",
-                    "" if pixels is None else f"{pixels:.1f} %",
-                ])
+                first = program == next(iter(runs))
+                row = [name if first else "", f"{scene['primitives']}" if first else "", program]
+                row += [shown(taken, wall, 3), shown(taken, TRACING[program], 3)]
+                row += [shown(taken, lambda run: rate(program, run), 1), shown(taken, processor), shown(taken, memory, 0)]
+                if mine and program != "lancer":
+                    row += [times(median(taken, wall) / median(mine, wall))]
+                    row += [times(median(taken, TRACING[program]) / median(mine, TRACING["lancer"]))]
+                    row += [times(median(taken, processor) / median(mine, processor)), self.agreement(stem, program)]
+                rows.append(row)
         heads = ["scene", "primitives", "program", "whole process s", "tracing s", "M rays/s", "processor s", "MiB"]
-        more = ["whole, × lancer", "tracing, × lancer", "pixels within 2/255 of lancer's"]
-        if not self.lancer:
-            rows = [row[: len(heads)] for row in rows]
+        more = ["whole, × lancer", "tracing, × lancer", "processor, × lancer", "pixels within 2/255 of lancer's"]
         self.text += [f"### Pictures, {self.options.size}, {self.options.threads} threads", ""]
         self.text += table(heads + (more if self.lancer else []), rows)
         for name, plain, binary in texts:
@@ -158,16 +164,14 @@ class Comparison:
         self.text += PICTURE_NOTES
 
     def agreement(self, stem, program):
-        """Per cent of the pixels that differ from lancer's by at most 2 of 255 in every channel."""
-        if program == "lancer":
-            return None
+        """How many pixels differ from lancer's by at most 2 of 255 in every channel."""
         peer = {"POV-Ray": "povray", "Tachyon": "tachyon"}[program]
         mine, theirs = (pixels(self.folder / f"{stem}.{maker}.ppm") for maker in ("lancer", peer))
         if mine is None or theirs is None or len(mine) != len(theirs):
-            return None
+            return "–"
         near = [abs(a - b) <= 2 for a, b in zip(mine, theirs)]
         equal = sum(map(lambda *channels: all(channels), near[0::3], near[1::3], near[2::3]))
-        return 300.0 * equal / len(mine)
+        return f"{300 * equal / len(mine):.1f} %"
 
     def smallest(self):
         say("the smallest picture")
@@ -177,7 +181,7 @@ class Comparison:
         for program in programs:
             programs[program] = [word for word in programs[program] if word not in ("--stats=json", "+V")]
         runs = self.turns.rounds(programs, self.options.small_rounds)
-        mine = median(runs.get("lancer", []), lambda run: run.wall)
+        mine = median(runs.get("lancer", []), wall)
         rows = []
         for program, taken in runs.items():
             walls = sorted(1e3 * run.wall for run in taken)
@@ -217,40 +221,17 @@ class Comparison:
             self.results["rays"][name] = {"lancer": mine, "embree": theirs}
             mark = " †" if any(marked.values()) else ""
             for kind in KINDS:
-                modes = [
-                    statistics.median(run[kind]["rays"] / run[kind]["modes"][mode]["seconds"] for run in theirs) / 1e6
-                    for mode in range(len(theirs[0][kind]["modes"]))
-                ]
-                best = max(range(len(modes)), key=lambda mode: modes[mode])
-                mode = theirs[0][kind]["modes"][best]
-                otherwise = max(each["otherwise"] for each in theirs[0][kind]["modes"])
-                rows.append([
-                    name if kind == KINDS[0] else "",
-                    kind,
-                    f"{theirs[0][kind]['rays']}",
-                    f"{modes[best]:.1f}{mark}",
-                    f"{mode['width']}, {'coherent' if mode['coherent'] else 'incoherent'}",
-                    " / ".join(f"{max(modes[at], modes[at + 1]):.1f}" for at in (0, 2, 4)),
-                    f"{otherwise}",
-                ])
-                if mine:
-                    own = statistics.median(run[kind]["rays"] / run[kind]["seconds"] for run in mine) / 1e6
-                    rows[-1] += [f"{own:.1f}", f"{own / modes[best]:.2f}×"]
+                rows.append([name if kind == KINDS[0] else "", *casting(kind, theirs, mine, threads, mark)])
             count = theirs[0]["facets"]
-            build, figures = building(theirs, count)
-            builds.append([f"{name}{mark}", f"{count}", *figures])
-            if mine:
-                own, figures = building(mine, count)
-                builds[-1] += [*figures, f"{build / own:.2f}×"]
-        with_lancer = bool(self.lancer)
+            builds.append([f"{name}{mark}", f"{count}", *building(theirs, mine, count)])
         heads = ["scene", "rays", "how many", "Embree's best, M/s", "its mode", "its 1 / 8 / 16, M/s", "met otherwise"]
+        more = ["lancer M/s", "lancer : Embree", "by processor time"] if self.lancer else []
         self.text += [f"### Rays by themselves, {self.options.size}, {self.options.threads} threads", ""]
-        self.text += table(heads + (["lancer M/s", "lancer : Embree"] if with_lancer else []), rows)
-        self.text += RAY_NOTES
-        self.text += [f"### Building, {self.options.threads} threads", ""]
+        self.text += table(heads + more, rows) + RAY_NOTES
         heads = ["scene", "facets", "Embree (medium) ms", "M facets/s", "bytes a facet"]
-        more = ["lancer ms", "M facets/s", "bytes a facet", "lancer's speed : Embree's"]
-        self.text += table(heads + (more if with_lancer else []), builds)
+        more = ["lancer ms", "M facets/s", "bytes a facet", "lancer's speed : Embree's", "by processor time"]
+        self.text += [f"### Building, {self.options.threads} threads", ""]
+        self.text += table(heads + (more if self.lancer else []), builds)
 
     def growth(self):
         say("growth")
@@ -311,10 +292,48 @@ class Comparison:
         return lines
 
 
-def building(reports, count):
-    """The median duration of building, and the figures of its table."""
-    build = statistics.median(report["build"] for report in reports)
-    return build, [f"{1e3 * build:.1f}", f"{count / build / 1e6:.2f}", f"{reports[0]['bytes'] / count:.1f}"]
+def casting(kind, theirs, mine, threads, mark):
+    """A row of the table of rays: Embree's figures, and lancer's where it was timed."""
+    count = theirs[0][kind]["rays"]
+
+    def rates(clock):
+        """Million rays per second in each of Embree's modes; by processor time, as if no thread ever waited."""
+        per = 1 if clock == "seconds" else threads
+        modes = range(len(theirs[0][kind]["modes"]))
+        return [statistics.median(per * count / run[kind]["modes"][at][clock] for run in theirs) / 1e6 for at in modes]
+
+    modes = rates("seconds")
+    best = max(range(len(modes)), key=lambda at: modes[at])
+    mode = theirs[0][kind]["modes"][best]
+    otherwise = max(each["otherwise"] for each in theirs[0][kind]["modes"])
+    row = [
+        kind,
+        f"{count}",
+        f"{modes[best]:.1f}{mark}",
+        f"{mode['width']}, {'coherent' if mode['coherent'] else 'incoherent'}",
+        " / ".join(f"{max(modes[at], modes[at + 1]):.1f}" for at in (0, 2, 4)),
+        f"{otherwise}",
+    ]
+    if mine:
+        own = statistics.median(run[kind]["rays"] / run[kind]["seconds"] for run in mine) / 1e6
+        by_processor = statistics.median(threads * run[kind]["rays"] / run[kind]["processor"] for run in mine) / 1e6
+        row += [f"{own:.1f}", f"{own / modes[best]:.2f}×", f"{by_processor / max(rates('processor')):.2f}×"]
+    return row
+
+
+def building(theirs, mine, count):
+    """The figures of the table of building: Embree's, and lancer's where it was timed."""
+
+    def took(reports, clock):
+        return statistics.median(report["build"][clock] for report in reports)
+
+    row = []
+    for reports in filter(None, (theirs, mine)):
+        build = took(reports, "seconds")
+        row += [f"{1e3 * build:.1f}", f"{count / build / 1e6:.2f}", f"{reports[0]['bytes'] / count:.1f}"]
+    if mine:
+        row += [f"{took(theirs, clock) / took(mine, clock):.2f}×" for clock in ("seconds", "processor")]
+    return row
 
 
 BEGIN, END = "<!-- measured -->", "<!-- end of what was measured -->"

@@ -18,13 +18,16 @@ RAY_NOTES = """\
 Embree answers the very rays that lancer casts (origins and directions of 32 bits), in single rays and in packets of 8
 and 16 neighbours, each with the flag for coherent and for incoherent rays; the best of the six counts. «Met otherwise»
 are rays of which one program finds a hit and the other none, or another distance; Embree computes with 32 bits, lancer
-with 64. Embree has no infinite plane, so only scenes of facets are compared; it answers rays and computes no light.
+with 64. Embree has no infinite plane, so only scenes of facets are compared; it answers rays and computes no light. Its
+defaults are kept, so its test of a triangle is not the watertight one. By processor time a ratio is disturbed less by
+what else the machine does.
 """.split("\n")
 
 
 def table(heads, rows):
+    """A table; rows may be shorter than its head."""
     lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
-    return lines + ["| " + " | ".join(row) + " |" for row in rows] + [""]
+    return lines + ["| " + " | ".join(row + [""] * (len(heads) - len(row))) + " |" for row in rows] + [""]
 
 
 def median(runs, of):

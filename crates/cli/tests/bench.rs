@@ -41,8 +41,12 @@ fn the_figures_are_told_as_json_with_the_documented_members() {
 
     let document = fs::read_to_string(Path::new(ROOT).join("docs/performance.md")).unwrap();
     let section = document.split("### The members of `--json`").nth(1).unwrap().split("\n#").next().unwrap();
-    let documented: BTreeSet<String> =
-        section.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next().map(str::to_owned)).collect();
+    let documented: BTreeSet<String> = section
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split('`').next().map(str::to_owned))
+        // processor time is told by Linux
+        .filter(|member| cfg!(target_os = "linux") || !member.ends_with(".processor"))
+        .collect();
     assert_eq!(found, documented);
 
     assert_eq!(report["version"], 1);
@@ -65,7 +69,7 @@ fn the_figures_are_told_as_json_with_the_documented_members() {
             assert!(scene[set]["seconds"].as_f64().unwrap() > 0.0);
         }
         assert!(count("frame", "rays") > 40 * 30);
-        assert!(scene["build"].as_f64().unwrap() > 0.0 && scene["bytes"].as_u64().unwrap() > 0);
+        assert!(scene["build"]["seconds"].as_f64().unwrap() > 0.0 && scene["bytes"].as_u64().unwrap() > 0);
     }
 }
 

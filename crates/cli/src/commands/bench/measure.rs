@@ -4,14 +4,14 @@
 use super::case::Case;
 use super::cast;
 use super::rays::RaySets;
+use super::timing::{Timer, Took};
 use crate::{Context, Failure, progress};
-use indicatif::ProgressBar;
 use lancer_render::{RenderError, RenderOptions, Tracing, render_still};
 use lancer_scene::{DVec3, Scene, Shape, View};
 use lancer_trace::{Camera, Simd, World};
 use rayon::ThreadPool;
+use serde::Serialize;
 use std::num::NonZeroUsize;
-use std::time::{Duration, Instant};
 
 /// How everything is measured.
 #[derive(Debug)]
@@ -28,14 +28,14 @@ pub(super) struct Conditions<'c> {
     pub(super) context: &'c Context,
 }
 
-/// What was found out about a scene. Durations are medians.
+/// What was found out about a scene. What things took are medians.
 #[derive(Debug)]
 pub(super) struct Measured {
     pub(super) case: Case,
     /// Spheres, planes and facets.
     pub(super) primitives: u64,
     /// Compiling the scene for rays.
-    pub(super) build: Duration,
+    pub(super) build: Took,
     /// The memory of the hierarchies and what is packed into their leaves.
     pub(super) bytes: usize,
     pub(super) primary: Cast,
@@ -46,20 +46,22 @@ pub(super) struct Measured {
 }
 
 /// A set of rays that was cast.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Cast {
     pub(super) rays: u64,
     /// Those that met something.
     pub(super) hits: u64,
-    pub(super) time: Duration,
+    #[serde(flatten)]
+    pub(super) took: Took,
 }
 
 /// A picture that was rendered.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Frame {
     /// Rays of all kinds.
     pub(super) rays: u64,
-    pub(super) time: Duration,
+    #[serde(flatten)]
+    pub(super) took: Took,
 }
 
 /// The scene of a case, and its view in the size of the measurement.
@@ -104,8 +106,8 @@ pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measure
     let cast = |rays: usize, count: &dyn Fn() -> u64| {
         // once before: the first touches memory that nobody has touched
         timer.once(|| Ok(count()))?;
-        let (hits, time) = timer.median(|| Ok(count()))?;
-        Ok(Cast { rays: rays as u64, hits, time })
+        let (hits, took) = timer.median(|| Ok(count()))?;
+        Ok(Cast { rays: rays as u64, hits, took })
     };
     let primary = cast(sets.primary.len(), &|| cast::count_hits(&world, &sets.primary, pool, simd))?;
     let shadow = cast(sets.shadow.points.len(), &|| {
@@ -122,7 +124,7 @@ pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measure
         render_still(&world, &view, &options, &context.cancel, |_, _| {})
             .map_err(|error: RenderError| Failure::render(error, &view))
     };
-    let (still, time) = timer.median(render)?;
+    let (still, took) = timer.median(render)?;
     bar.finish_and_clear();
     Ok(Measured {
         case,
@@ -133,7 +135,7 @@ pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measure
         shadow,
         reflected,
         diffuse,
-        frame: Frame { rays: still.counts.total(), time },
+        frame: Frame { rays: still.counts.total(), took },
     })
 }
 
@@ -145,60 +147,4 @@ pub(super) fn primitives(scene: &Scene) -> u64 {
         Shape::Mesh(mesh) => mesh.geometry.facets.len() as u64,
     };
     scene.objects.iter().map(|object| of_shape(&object.shape)).sum()
-}
-
-/// Does things several times, looks whether it is to stop, and moves the bar.
-struct Timer<'t> {
-    repeat: usize,
-    context: &'t Context,
-    bar: &'t ProgressBar,
-}
-
-impl Timer<'_> {
-    /// Does a thing once and tells how long it took.
-    fn once<T>(&self, work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, Duration), Failure> {
-        let started = Instant::now();
-        let outcome = work()?;
-        let took = started.elapsed();
-        self.bar.inc(1);
-        if self.context.cancel.is_cancelled() { Err(Failure::Interrupted) } else { Ok((outcome, took)) }
-    }
-
-    /// Does a thing several times; gives what came of it last, and the median of the times.
-    fn median<T>(&self, mut work: impl FnMut() -> Result<T, Failure>) -> Result<(T, Duration), Failure> {
-        let (mut last, first) = self.once(&mut work)?;
-        let mut times = vec![first];
-        for _ in 1..self.repeat {
-            // what came before is gone first, so that memory is there for the next
-            drop(last);
-            let took;
-            (last, took) = self.once(&mut work)?;
-            times.push(took);
-        }
-        Ok((last, median(times)))
-    }
-}
-
-/// The middle one, or the mean of the middle two.
-fn median(mut times: Vec<Duration>) -> Duration {
-    times.sort_unstable();
-    let middle = times.len() / 2;
-    match times.as_slice() {
-        [] => Duration::ZERO,
-        times if times.len().is_multiple_of(2) => (times[middle - 1] + times[middle]) / 2,
-        times => times[middle],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn medians() {
-        let of = |times: &[u64]| median(times.iter().copied().map(Duration::from_millis).collect());
-        assert_eq!(of(&[7]), Duration::from_millis(7));
-        assert_eq!(of(&[9, 1, 2]), Duration::from_millis(2));
-        assert_eq!(of(&[9, 1, 2, 4]), Duration::from_millis(3));
-    }
 }

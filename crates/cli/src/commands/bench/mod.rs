@@ -7,6 +7,7 @@ mod export;
 mod measure;
 mod rays;
 mod report;
+mod timing;
 
 use crate::{Context, Exit, Failure, flags};
 use case::Case;

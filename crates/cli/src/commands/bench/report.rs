@@ -1,10 +1,10 @@
 //! What was measured, as a table for people and as JSON for programs.
 
 use super::measure::{Cast, Frame, Measured};
+use super::timing::Took;
 use lancer_words::cli::bench as words;
 use lancer_words::{Lang, number};
 use serde::Serialize;
-use std::time::Duration;
 use unicode_width::UnicodeWidthStr;
 
 /// The figures for programs; docs/performance.md says what each member is. Version 1; later versions may add members.
@@ -25,28 +25,13 @@ pub(super) struct Report {
 struct SceneFigures {
     name: String,
     primitives: u64,
-    build: f64,
+    build: Took,
     bytes: usize,
-    primary: CastFigures,
-    shadow: CastFigures,
-    reflected: CastFigures,
-    diffuse: CastFigures,
-    frame: FrameFigures,
-}
-
-/// A set of rays.
-#[derive(Debug, Serialize)]
-struct CastFigures {
-    rays: u64,
-    hits: u64,
-    seconds: f64,
-}
-
-/// A picture.
-#[derive(Debug, Serialize)]
-struct FrameFigures {
-    rays: u64,
-    seconds: f64,
+    primary: Cast,
+    shadow: Cast,
+    reflected: Cast,
+    diffuse: Cast,
+    frame: Frame,
 }
 
 impl Report {
@@ -94,50 +79,38 @@ impl SceneFigures {
         SceneFigures {
             name: measured.case.name(),
             primitives: measured.primitives,
-            build: measured.build.as_secs_f64(),
+            build: measured.build,
             bytes: measured.bytes,
-            primary: measured.primary.into(),
-            shadow: measured.shadow.into(),
-            reflected: measured.reflected.into(),
-            diffuse: measured.diffuse.into(),
-            frame: measured.frame.into(),
+            primary: measured.primary,
+            shadow: measured.shadow,
+            reflected: measured.reflected,
+            diffuse: measured.diffuse,
+            frame: measured.frame,
         }
     }
 
     fn row(&self) -> [String; COLUMNS] {
-        let cast = |cast: &CastFigures| rate(cast.rays, cast.seconds);
+        let cast = |cast: &Cast| rate(cast.rays, cast.took.seconds);
         [
             self.name.clone(),
             self.primitives.to_string(),
-            format!("{:.2}", self.build * 1e3),
-            rate(self.primitives, self.build),
+            format!("{:.2}", self.build.seconds * 1e3),
+            rate(self.primitives, self.build.seconds),
             format!("{:.1}", self.bytes as f64 / self.primitives.max(1) as f64),
             cast(&self.primary),
             cast(&self.shadow),
             cast(&self.reflected),
             cast(&self.diffuse),
-            format!("{:.1}", self.frame.seconds * 1e3),
-            rate(self.frame.rays, self.frame.seconds),
+            format!("{:.1}", self.frame.took.seconds * 1e3),
+            rate(self.frame.rays, self.frame.took.seconds),
         ]
-    }
-}
-
-impl From<Cast> for CastFigures {
-    fn from(Cast { rays, hits, time }: Cast) -> CastFigures {
-        CastFigures { rays, hits, seconds: time.as_secs_f64() }
-    }
-}
-
-impl From<Frame> for FrameFigures {
-    fn from(Frame { rays, time }: Frame) -> FrameFigures {
-        FrameFigures { rays, seconds: time.as_secs_f64() }
     }
 }
 
 /// Millions a second.
 fn rate(count: u64, seconds: f64) -> String {
     // no machine is so fast that a clock sees nothing; but a clock may be so coarse
-    format!("{:.2}", count as f64 / 1e6 / seconds.max(Duration::from_nanos(1).as_secs_f64()))
+    format!("{:.2}", count as f64 / 1e6 / seconds.max(1e-9))
 }
 
 const COLUMNS: usize = 11;
