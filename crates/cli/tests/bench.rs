@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{listing, run};
+use common::{lancer, listing, outcome, run};
 use lancer_formats::load::{LoadOptions, load_scene, load_views};
 use lancer_scene::generate::Family;
 use lancer_scene::{Compose, Environment, Scene};
@@ -79,17 +79,17 @@ fn one_table_in_either_language() {
     for (lang, title, heads) in [
         (
             "en",
-            "reference tracer; 16×12, 1 thread, median of 1",
+            "engine with portable; 16×12, 1 thread, median of 1",
             "scene primitives ms M/s B each primary shadow reflected diffuse ms M rays/s",
         ),
         (
             "fr",
-            "traceur de référence ; 16×12, 1 fil d'exécution, médiane de 1",
+            "moteur avec portable ; 16×12, 1 fil d'exécution, médiane de 1",
             "scène primitives ms M/s o/prim. primaires d'ombre réfléchis diffus ms M rayons/s",
         ),
     ] {
         let asked = ["bench", "nest:1", "knot:3", "--size", "16x12", "--repeat", "1", "--threads", "1", "--lang", lang];
-        let (code, told, _) = run(folder.path(), &asked);
+        let (code, told, _) = outcome(lancer(folder.path(), &asked).env("LANCER_SIMD", "portable"));
         assert_eq!(code, 0);
         let lines: Vec<&str> = told.lines().collect();
         assert_eq!(lines.len(), 6, "{told}");

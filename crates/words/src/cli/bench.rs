@@ -68,8 +68,8 @@ leurs rayons sont gardés en mémoire",
         "lancer {version}, {engine}; {width}×{height}, {threads}, median of {repeat}",
         "lancer {version}, {engine} ; {width}×{height}, {threads}, médiane de {repeat}",
     }
-    /// The tracer that follows the subject's text.
-    reference() { "reference tracer", "traceur de référence" }
+    /// The tracer that was measured, with the name of its instructions.
+    engine(instructions) { "engine with {instructions}", "moteur avec {instructions}" }
     /// Above the columns of building.
     building() { "building", "préparation" }
     /// Above the columns of rays.

@@ -79,7 +79,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     let repeat = flags::number_of(matches, "repeat").unwrap_or(REPEAT);
     let conditions = Conditions { size, repeat, pool: &pool, simd: flags::simd()?, context: &context };
     let measured = cases.into_iter().map(|case| measure::measure(case, &conditions)).collect::<Result<Vec<_>, _>>()?;
-    let report = Report::new(size, pool.current_num_threads(), repeat, &measured);
+    let report = Report::new(size, conditions.simd, pool.current_num_threads(), repeat, &measured);
     match matches.get_flag("json") {
         true => context.console.print_json(&report)?,
         false => context.console.print(report.text(context.console.lang))?,

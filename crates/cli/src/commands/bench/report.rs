@@ -2,6 +2,7 @@
 
 use super::measure::{Cast, Frame, Measured};
 use super::timing::Took;
+use lancer_trace::Simd;
 use lancer_words::cli::bench as words;
 use lancer_words::{Lang, number};
 use serde::Serialize;
@@ -13,6 +14,7 @@ pub(super) struct Report {
     version: u32,
     program: &'static str,
     engine: &'static str,
+    instructions: &'static str,
     width: u32,
     height: u32,
     threads: usize,
@@ -36,11 +38,18 @@ struct SceneFigures {
 
 impl Report {
     /// The report of all that was measured.
-    pub(super) fn new((width, height): (u32, u32), threads: usize, repeat: usize, measured: &[Measured]) -> Report {
+    pub(super) fn new(
+        (width, height): (u32, u32),
+        simd: Simd,
+        threads: usize,
+        repeat: usize,
+        measured: &[Measured],
+    ) -> Report {
         Report {
             version: 1,
             program: env!("CARGO_PKG_VERSION"),
-            engine: "reference",
+            engine: "simd",
+            instructions: simd.name(),
             width,
             height,
             threads,
@@ -51,9 +60,9 @@ impl Report {
 
     /// The table, under a line that says how it was measured.
     pub(super) fn text(&self, lang: Lang) -> String {
-        let Report { program, width, height, threads, repeat, .. } = self;
+        let Report { program, instructions, width, height, threads, repeat, .. } = self;
         let threads = number::threads(lang, *threads);
-        let title = words::title(lang, program, words::reference(lang), width, height, threads, repeat);
+        let title = words::title(lang, program, words::engine(lang, instructions), width, height, threads, repeat);
         let groups =
             [(2, String::new()), (3, words::building(lang)), (4, words::casting(lang)), (2, words::frame(lang))];
         let heads = [
