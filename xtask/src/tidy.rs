@@ -20,7 +20,7 @@ const ARROWS: [(&str, &[&str]); 8] = [
 ];
 
 /// The only files that may hold `unsafe`.
-const UNSAFE: [&str; 0] = [];
+const UNSAFE: [&str; 1] = ["crates/trace/src/bvh/huge.rs"];
 
 /// Prints every broken rule.
 pub(crate) fn report(root: &Path) -> Result<(), String> {
