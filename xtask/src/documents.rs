@@ -7,7 +7,7 @@ use std::path::Path;
 const FOLDERS: [&str; 3] = ["", "docs", "scenes"];
 
 /// Folders of the checkout: a path in a document that begins with one of them must exist.
-const TOP: [&str; 6] = [".ci/", "crates/", "docs/", "scenes/", "tests/", "xtask/"];
+const TOP: [&str; 7] = [".ci/", "benches/", "crates/", "docs/", "scenes/", "tests/", "xtask/"];
 
 /// Every name in a document that means nothing.
 pub(crate) fn broken_names(root: &Path) -> Vec<String> {

@@ -7,10 +7,12 @@ use lancer_formats::load::LoadError;
 use lancer_formats::picture::UnknownExtension;
 use lancer_formats::save::SaveError;
 use lancer_formats::xml::XmlProblem;
-use lancer_render::{PixelFault, Region, RenderError};
+use lancer_render::{PixelFault, Region, RenderError, SimdError, Tracing};
 use lancer_scene::{Invalid, Name, View};
+use lancer_trace::Simd;
 use lancer_words::Lang;
 use lancer_words::cli::{self as words, usage};
+use lancer_words::engine;
 use std::path::PathBuf;
 
 /// Why the program ends early.
@@ -26,6 +28,13 @@ pub(crate) enum Failure {
     Save(SaveError),
     /// The handlers of signals cannot be set.
     Signals(String),
+    /// The environment asks for instructions that are not there.
+    Simd(SimdError),
+    /// Adaptive samples of a view of one sample a pixel.
+    AdaptiveOfOne {
+        /// The view.
+        view: Name,
+    },
     /// The extension of an output means no format.
     UnknownExtension(UnknownExtension),
     /// Several pictures cannot go to standard output.
@@ -150,8 +159,12 @@ impl Failure {
         match self {
             Failure::Told(exit) => *exit,
             Failure::Interrupted => Exit::Interrupted,
-            Failure::UnknownExtension(_) | Failure::AllViewsToStdout | Failure::UnknownForm { .. } => Exit::Usage,
-            Failure::NeedsRendering { .. }
+            Failure::Simd(_)
+            | Failure::UnknownExtension(_)
+            | Failure::AllViewsToStdout
+            | Failure::UnknownForm { .. } => Exit::Usage,
+            Failure::AdaptiveOfOne { .. }
+            | Failure::NeedsRendering { .. }
             | Failure::ViewsAsBinary
             | Failure::NoView { .. }
             | Failure::UnknownView { .. }
@@ -175,6 +188,9 @@ impl Failure {
             Failure::Load(error) => error.message(lang),
             Failure::Save(error) => error.message(lang),
             Failure::Signals(reason) => words::no_signals(lang, reason),
+            Failure::Simd(SimdError::Unknown { name }) => engine::unknown_simd(lang, Tracing::VARIABLE, name),
+            Failure::Simd(SimdError::Missing { simd }) => engine::missing_simd(lang, Tracing::VARIABLE, simd.name()),
+            Failure::AdaptiveOfOne { view } => words::adaptive_of_one(lang, view),
             Failure::UnknownExtension(error) => error.message(lang),
             Failure::AllViewsToStdout => usage::all_views_to_stdout(lang),
             Failure::NeedsRendering { path } => words::convert_needs_rendering(lang, path.display()),
@@ -212,6 +228,11 @@ impl Failure {
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
             | Failure::NoView { .. } => None,
+            Failure::Simd(_) => {
+                let available = Simd::ALL.into_iter().filter(|simd| simd.is_available()).map(Simd::name);
+                Some(engine::available_simd(lang, available.collect::<Vec<_>>().join(", ")))
+            }
+            Failure::AdaptiveOfOne { .. } => Some(words::adaptive_of_one_help(lang)),
             Failure::ViewInvalid { rule, .. } => XmlProblem::Rule(rule.clone()).help(lang),
             Failure::NeedsRendering { .. } => Some(words::convert_needs_rendering_help(lang)),
             Failure::UnknownForm { .. } => Some(words::convert_unknown_help(lang)),

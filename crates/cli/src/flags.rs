@@ -1,10 +1,12 @@
 //! The arguments that several commands share: each one is a function that describes it to the parser, and where it
 //! needs one, a function that takes its value out again.
 
+use crate::Failure;
 use clap::{Arg, ArgAction, ArgMatches, value_parser};
 use lancer_formats::load::LoadOptions;
-use lancer_render::Region;
+use lancer_render::{Region, Tracing};
 use lancer_scene::{Steps, View, limits};
+use lancer_trace::Simd;
 use lancer_words::Lang;
 use lancer_words::cli::{help, usage};
 use std::path::{Path, PathBuf};
@@ -82,9 +84,58 @@ pub(crate) fn view_name(lang: Lang) -> Arg {
     option("view", lang, help::view_name_help(lang)).value_name(help::name_value(lang))
 }
 
+/// The most threads that can be asked for: far more than any machine has, far fewer than the system refuses.
+const MOST_THREADS: u64 = 1024;
+
+/// `--threads N`.
+pub(crate) fn threads(lang: Lang) -> Arg {
+    number("threads", lang, help::threads_help(lang), 1, MOST_THREADS)
+}
+
 /// `--max-rays N`.
 pub(crate) fn max_rays(lang: Lang) -> Arg {
     number("max-rays", lang, help::max_rays_help(lang, lancer_trace::Settings::MAX_RAYS), 1, u64::MAX)
+}
+
+/// `--engine NAME`.
+pub(crate) fn engine(lang: Lang) -> Arg {
+    option("engine", lang, help::engine_help(lang))
+        .value_name(help::name_value(lang))
+        .value_parser(["simd", "reference"])
+        .hide_possible_values(true)
+}
+
+/// What follows the rays.
+///
+/// # Errors
+/// What the environment asks for is not there, even if the reference needs none of it.
+pub(crate) fn tracing(matches: &ArgMatches) -> Result<Tracing, Failure> {
+    let simd = simd()?;
+    Ok(match matches.get_one::<String>("engine").map(String::as_str) {
+        Some("reference") => Tracing::Reference,
+        Some(_) | None => Tracing::Engine(simd),
+    })
+}
+
+/// The instructions that the environment asks for, or the best that this machine has.
+///
+/// # Errors
+/// They are not there.
+pub(crate) fn simd() -> Result<Simd, Failure> {
+    let name = std::env::var_os(Tracing::VARIABLE).unwrap_or_default();
+    Tracing::simd_named(&name.to_string_lossy()).map_err(Failure::Simd)
+}
+
+/// `--adaptive T`.
+pub(crate) fn adaptive(lang: Lang) -> Arg {
+    option("adaptive", lang, help::adaptive_help(lang))
+        .value_name("T")
+        .value_parser(move |text: &str| threshold(text).ok_or_else(|| usage::bad_threshold(lang)))
+}
+
+/// A number from 0 to 1.
+fn threshold(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number| (0.0..=1.0).contains(number))
 }
 
 /// The options that change a view: `--size`, `--depth`, `--samples`, `--without`.
@@ -123,7 +174,7 @@ pub(crate) fn changed_view(view: &View, matches: &ArgMatches) -> View {
 }
 
 /// `640x480`; a multiplication sign does too.
-fn size(text: &str) -> Option<(u32, u32)> {
+pub(crate) fn size(text: &str) -> Option<(u32, u32)> {
     let (width, height) = text.split_once(['x', 'X', '×'])?;
     let pixels = |text: &str| text.parse().ok().filter(|pixels| (1..=limits::PIXELS).contains(pixels));
     Some((pixels(width)?, pixels(height)?))
@@ -169,6 +220,15 @@ mod tests {
         assert_eq!(size("1×65535"), Some((1, 65_535)));
         for wrong in ["", "640", "640x", "0x1", "1x65536", "640x480x3", "-1x2", "6.5x4", "640 x 480"] {
             assert_eq!(size(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn thresholds() {
+        assert_eq!(threshold("0.05"), Some(0.05));
+        assert_eq!((threshold("0"), threshold("1")), (Some(0.0), Some(1.0)));
+        for wrong in ["", "0,05", "-0.1", "1.01", "nan", "inf", "5%"] {
+            assert_eq!(threshold(wrong), None, "{wrong}");
         }
     }
 

@@ -66,6 +66,7 @@ fn dispatch(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
         Some(("convert", matches)) => commands::convert::run(matches, context),
         Some(("explain", matches)) => commands::explain::run(matches, context),
         Some(("diff", matches)) => commands::diff::run(matches, context),
+        Some(("bench", matches)) => commands::bench::run(matches, context),
         Some(("schema", matches)) => commands::schema::run(matches, context),
         Some(("completions", matches)) => commands::completions::run(matches, context),
         Some(("man", matches)) => commands::man::run(matches, context),

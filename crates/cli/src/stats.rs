@@ -1,7 +1,7 @@
 //! What `--stats` tells: the time of each stage, and the rays by kind.
 
 use crate::console;
-use lancer_render::Still;
+use lancer_render::{Still, Tracing};
 use lancer_trace::RayCounts;
 use lancer_words::cli as words;
 use lancer_words::{Lang, number};
@@ -32,10 +32,18 @@ pub(crate) struct PictureStats {
     pub(crate) width: u32,
     pub(crate) height: u32,
     pub(crate) threads: usize,
+    /// `simd` or `reference`.
+    pub(crate) engine: &'static str,
+    /// Those of the engine `simd`: `portable`, `avx2` or `avx512`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) instructions: Option<&'static str>,
     #[serde(serialize_with = "seconds")]
     pub(crate) render: Duration,
     #[serde(serialize_with = "seconds")]
     pub(crate) write: Duration,
+    /// With adaptive samples, how many pixels got all of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) refined: Option<u64>,
     pub(crate) rays: Rays,
 }
 
@@ -64,21 +72,39 @@ fn seconds<S: serde::Serializer>(duration: &Duration, serializer: S) -> Result<S
 
 impl PictureStats {
     /// The figures of a finished picture.
-    pub(crate) fn new(view: &str, output: &Path, still: &Still, render: Duration, write: Duration) -> PictureStats {
+    pub(crate) fn new(
+        view: &str,
+        output: &Path,
+        still: &Still,
+        tracing: Tracing,
+        [render, write]: [Duration; 2],
+    ) -> PictureStats {
+        let (engine, instructions) = match tracing {
+            Tracing::Engine(simd) => ("simd", Some(simd.name())),
+            Tracing::Reference => ("reference", None),
+        };
         PictureStats {
             view: view.to_owned(),
             output: output.display().to_string(),
             width: still.picture.width,
             height: still.picture.height,
             threads: still.threads,
+            engine,
+            instructions,
             render,
             write,
+            refined: still.refined,
             rays: still.counts.into(),
         }
     }
 }
 
 impl PictureStats {
+    /// `simd (avx2)`.
+    fn engine_name(&self) -> String {
+        self.instructions.map_or_else(|| self.engine.to_owned(), |name| format!("{} ({name})", self.engine))
+    }
+
     /// One line for somebody who looks: where the picture is and how long it took.
     pub(crate) fn summary(&self, lang: Lang) -> String {
         let PictureStats { output, width, height, render, .. } = self;
@@ -98,10 +124,15 @@ impl Stats {
             (words::stage_compile(lang), time(self.compile), String::new()),
         ];
         for picture in &self.pictures {
-            let PictureStats { view, output, width, height, threads, render, write, rays } = picture;
-            let of = words::picture_of(lang, view, output, width, height, number::threads(lang, *threads));
+            let PictureStats { view, output, width, height, threads, render, write, refined, rays, .. } = picture;
+            let threads = number::threads(lang, *threads);
+            let of = words::picture_of(lang, view, output, width, height, threads, picture.engine_name());
             rows.push((words::stage_render(lang), time(*render), of));
             rows.push((words::stage_write(lang), time(*write), String::new()));
+            if let Some(refined) = refined {
+                let all = grouped(lang, u64::from(*width) * u64::from(*height));
+                rows.push((words::refined(lang), grouped(lang, *refined), words::refined_pixels(lang, all)));
+            }
             let counts = [
                 (words::rays_total(lang), rays.total, rate(lang, rays.total, *render)),
                 (words::rays_primary(lang), rays.primary, words::rays_hits(lang, grouped(lang, rays.primary_hits))),

@@ -5,6 +5,7 @@
 mod common;
 
 use common::{folder, lancer, listing, outcome, run};
+use lancer_trace::Simd;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -72,6 +73,99 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
+fn the_reference_and_every_kind_of_instructions_give_the_same_bytes_and_rays() {
+    let folder = folder();
+    let picture = |simd: &str, options: &[&str]| {
+        let args = [&["scene.xml", "view.xml", "-", "--stats=json"], options].concat();
+        let mut command = lancer(folder.path(), &args);
+        let (code, picture, said) = outcome(command.env("LANCER_SIMD", simd));
+        assert_eq!(code, 0, "{said}");
+        let stats: Value = serde_json::from_str(&said).unwrap();
+        (picture, stats["pictures"][0].clone())
+    };
+    let (reference, of_reference) = picture("", &["--engine", "reference"]);
+    assert_eq!((&of_reference["engine"], of_reference.get("instructions")), (&"reference".into(), None));
+    for simd in Simd::ALL.into_iter().filter(|simd| simd.is_available()) {
+        let (engine, of_engine) = picture(simd.name(), &[]);
+        assert_eq!((&of_engine["engine"], &of_engine["instructions"]), (&"simd".into(), &simd.name().into()));
+        assert_eq!(engine, reference, "{simd:?}");
+        assert_eq!(of_engine["rays"], of_reference["rays"], "{simd:?}");
+    }
+}
+
+#[test]
+fn instructions_that_are_not_there_are_wrong_use() {
+    let folder = folder();
+    let available: Vec<&str> = Simd::ALL.iter().filter(|simd| simd.is_available()).map(|simd| simd.name()).collect();
+    let available = available.join(", ");
+    for args in [
+        &["scene.xml", "view.xml"][..],
+        &["scene.xml", "view.xml", "--engine=reference"],
+        &["explain", "scene.xml", "view.xml", "1", "1"],
+    ] {
+        let asking = |name: &str| outcome(lancer(folder.path(), args).env("LANCER_SIMD", name));
+        assert_eq!(
+            asking("sse9"),
+            (
+                2,
+                String::new(),
+                format!(
+                    "error: LANCER_SIMD asks for the instructions `sse9`, which do not exist\n  \
+                     help: this machine can use {available}; without the variable the last of them is used\n"
+                )
+            )
+        );
+        for simd in Simd::ALL.into_iter().filter(|simd| !simd.is_available()) {
+            let (code, _, said) = asking(simd.name());
+            let name = simd.name();
+            assert_eq!(code, 2);
+            assert!(said.contains(&format!("instructions {name}, which this machine does not have\n")), "{said}");
+        }
+    }
+    assert!(!folder.path().join("output.ppm").exists());
+}
+
+#[test]
+fn adaptive_samples_refine_some_pixels_and_regions_join() {
+    let folder = folder();
+    let stats = |options: &[&str]| {
+        let args = [&["scene.xml", "view.xml", "-", "--samples", "4", "--stats=json"], options].concat();
+        let (code, picture, said) = run(folder.path(), &args);
+        assert_eq!(code, 0, "{said}");
+        (p3(picture.as_bytes()).2, serde_json::from_str::<Value>(&said).unwrap()["pictures"][0].clone())
+    };
+    let (whole, told) = stats(&["--adaptive", "0.05"]);
+    let refined = told["refined"].as_u64().unwrap();
+    assert!(0 < refined && refined < 40 * 30, "{refined}");
+    assert_eq!(told["rays"]["primary"], 40 * 30 + 16 * refined);
+    let (left, _) = stats(&["--adaptive", "0.05", "--region", "0,0,17,30"]);
+    let (right, _) = stats(&["--adaptive", "0.05", "--region", "17,0,23,30"]);
+    let joined = |place: usize| match place % 40 {
+        x @ 0..17 => left[place / 40 * 17 + x],
+        x => right[place / 40 * 23 + x - 17],
+    };
+    assert!(whole.iter().enumerate().all(|(place, pixel)| *pixel == joined(place)));
+    let (everywhere, _) = stats(&[]);
+    assert_ne!(whole, everywhere);
+
+    let text = run(folder.path(), &["scene.xml", "view.xml", "--samples=4", "--adaptive=0.05", "--stats"]).1;
+    assert!(text.contains(" of 1,200 pixels: they differ from a neighbour and got all samples\n"), "{text}");
+    assert_eq!(
+        run(folder.path(), &["scene.xml", "view.xml", "--adaptive", "0.05"]),
+        (
+            1,
+            String::new(),
+            "error: view `front` takes one sample a pixel, so --adaptive has none to add\n  \
+             help: say how many with --samples, such as --samples 4\n"
+                .to_owned()
+        )
+    );
+    let (code, _, said) = run(folder.path(), &["scene.xml", "view.xml", "--adaptive", "0,05"]);
+    assert_eq!(code, 2);
+    assert!(said.contains("a number from 0 to 1 is due, such as 0.05"), "{said}");
+}
+
+#[test]
 fn a_region_is_a_crop_of_the_whole() {
     let folder = folder();
     let (_, _, whole) = p3(run(folder.path(), &["scene.xml", "view.xml", "-"]).1.as_bytes());
@@ -133,6 +227,9 @@ fn statistics_are_told_as_json() {
     assert_eq!(count("primary"), 40 * 30);
     assert!(count("primary_hits") < 40 * 30 && count("reflected") > 0);
     assert_eq!(count("refracted"), 0);
+    assert_eq!(picture["engine"], "simd");
+    assert!(["portable", "avx2", "avx512"].iter().any(|name| picture["instructions"] == **name), "{picture}");
+    assert_eq!(picture.get("refined"), None);
     assert_eq!(count("total"), count("primary") + count("reflected") + count("shadow"));
 
     // the same, without shadows and mirrors: primary rays alone
@@ -153,7 +250,7 @@ fn statistics_are_told_as_text_beside_a_picture_on_standard_output() {
     assert!(picture.starts_with("P3\n"));
     let words: Vec<&str> = said.lines().filter_map(|line| line.split_whitespace().next()).collect();
     assert_eq!(words, ["read", "compile", "render", "write", "rays", "primary", "reflected", "refracted", "shadow"]);
-    assert!(said.contains("view `front` to -, 40×30, 1 thread\n"), "{said}");
+    assert!(said.contains("view `front` to -, 40×30, 1 thread, engine simd ("), "{said}");
     let (_, told, _) = run(folder.path(), &["scene.xml", "view.xml", "--stats", "--lang", "fr"]);
     assert!(told.starts_with("lecture ") && told.contains("\n  primaires "), "{told}");
 }

@@ -73,6 +73,8 @@ primary ray · level 0 · in the surrounding medium, index 1
                                 red     green      blue
 colour of the pixel, c      0.58960   0.67600   0.76960
 byte = floor(255·c + 0.5)       150       172       196
+c of the engine             0.58960   0.67600   0.76960
+byte of the engine              150       172       196
 ";
 
 const BALL_TEXT_FRENCH: &str = "\
@@ -121,6 +123,8 @@ rayon primaire · niveau 0 · dans le milieu environnant, indice 1
                                rouge      vert      bleu
 couleur du pixel, c          0.75698   0.83105   0.89615
 octet = floor(255·c + 0.5)       193       212       229
+c du moteur                  0.75698   0.83105   0.89615
+octet du moteur                  193       212       229
 ";
 
 /// A prism of dispersing glass with a mirror behind it, in a fog-coloured void.
@@ -208,6 +212,9 @@ fn the_explanation_ends_in_the_pictures_bytes() {
             let args = ["explain", "scene.xml", "view.xml", &x, &y, "--json", "--samples", samples];
             let pixel: Value = serde_json::from_str(&told(folder.path(), &args)).unwrap();
             assert_eq!(pixel["bytes"], serde_json::json!(bytes), "{x} {y}");
+            assert_eq!(pixel["engine"]["bytes"], pixel["bytes"], "{x} {y}");
+            let (color, engine) = (triple(&pixel["color"]), triple(&pixel["engine"]["color"]));
+            assert!((0..3).all(|channel| near(color[channel], engine[channel])), "{color:?} {engine:?}");
             assert_eq!(pixel["samples"].as_array().unwrap().len(), if samples == "1" { 1 } else { 4 });
             pixel["samples"].as_array().unwrap().iter().for_each(check_sample);
         }

@@ -5,7 +5,7 @@ mod common;
 
 use common::{folder, outcome, run};
 
-const COMMANDS: [&str; 8] = ["show", "check", "convert", "explain", "diff", "schema", "completions", "man"];
+const COMMANDS: [&str; 9] = ["show", "check", "convert", "explain", "diff", "bench", "schema", "completions", "man"];
 
 #[test]
 fn every_command_has_help_in_both_languages() {
@@ -37,9 +37,12 @@ fn the_help_of_the_program_names_every_option_of_the_contract() {
             "--size",
             "--depth",
             "--samples",
+            "--adaptive",
             "--region",
             "--without",
             "--threads",
+            "--engine",
+            "LANCER_SIMD",
             "--max-rays",
             "--binary",
             "--stats",

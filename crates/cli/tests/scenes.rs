@@ -1,5 +1,6 @@
 //! The scene suite: `tests/scenes/<topic>/<one-thing>.xml` with its view, its picture and its expectations. The format
-//! is told in `tests/scenes/README.md`.
+//! is told in `tests/scenes/README.md`. Every scene is rendered by the reference, and by the engine in every way that
+//! this machine can run it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod expectation;
@@ -8,9 +9,9 @@ use expectation::Expectation;
 use lancer_formats::load::{self, LoadError, LoadOptions, Loaded};
 use lancer_formats::picture::{self, Format};
 use lancer_formats::{Describe, Diagnostic, Severity};
-use lancer_render::{RenderOptions, Still, render_still};
-use lancer_scene::Picture;
-use lancer_trace::{Cancel, World};
+use lancer_render::{RenderOptions, Still, Tracing, render_still};
+use lancer_scene::{Picture, View};
+use lancer_trace::{Cancel, Simd, World};
 use lancer_words::Lang;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -64,15 +65,46 @@ fn value<T>(loaded: Result<Loaded<T>, LoadError>) -> Result<T, String> {
     }
 }
 
-/// Reads and renders a test's scene with its first view.
+/// Reads a test's scene and its first view and renders them with the reference and the engine.
 fn render(name: &str) -> Result<Still, String> {
     let path = |end: &str| folder().join(format!("{name}{end}"));
     let options = LoadOptions::default();
     let scene = value(load::load_scene(&path(".xml"), &options))?;
     let views = value(load::load_views(&path(".view.xml"), &options))?;
     let view = views.first().ok_or("the view document holds no view")?;
-    let options = RenderOptions { threads: NonZeroUsize::new(1), ..RenderOptions::default() };
-    render_still(&World::compile(&scene), view, &options, &Cancel::default(), |_, _| ()).map_err(|e| e.to_string())
+    let world = World::compile(&scene);
+    let reference = still(&world, view, Tracing::Reference, 1)?;
+    for simd in Simd::ALL.into_iter().filter(|simd| simd.is_available()) {
+        for threads in [1, 3] {
+            let engine = still(&world, view, Tracing::Engine(simd), threads)?;
+            agree(&engine, &reference).map_err(|problem| format!("{} on {threads} threads: {problem}", simd.name()))?;
+        }
+    }
+    Ok(reference)
+}
+
+/// Renders a view.
+fn still(world: &World, view: &View, tracing: Tracing, threads: usize) -> Result<Still, String> {
+    let options = RenderOptions { tracing, threads: NonZeroUsize::new(threads), ..RenderOptions::default() };
+    render_still(world, view, &options, &Cancel::default(), |_, _| ()).map_err(|error| error.to_string())
+}
+
+/// The engine's rays are the reference's, and so are its bytes. Its powers differ by less than 10⁻¹², which could move a
+/// byte by 1 where a colour lies that near to the border of two; no scene of the suite has such a pixel.
+fn agree(engine: &Still, reference: &Still) -> Result<(), String> {
+    if engine.counts != reference.counts {
+        return Err(format!("{:?} instead of the reference's {:?}", engine.counts, reference.counts));
+    }
+    let pixels = engine.picture.bytes.iter().zip(&reference.picture.bytes).enumerate();
+    let mut differing = pixels.filter(|(_, (engine, reference))| engine != reference);
+    match differing.next() {
+        None => Ok(()),
+        Some((place, (bytes, due))) => {
+            let (x, y) = (place % engine.picture.width as usize, place / engine.picture.width as usize);
+            let more = differing.count();
+            Err(format!("pixel {x} {y} is {bytes:?} instead of the reference's {due:?}, and {more} more differ"))
+        }
+    }
 }
 
 /// The bytes of a picture's file.

@@ -70,6 +70,23 @@ impl Document {
         self.scene_is_modified() || self.views_are_modified()
     }
 
+    /// Whether somebody who ends now would lose work. Of a document without a file, where the eyes and screens of its
+    /// views have come to does not count: whoever has just looked around has nothing to lose.
+    pub fn has_work_to_lose(&self) -> bool {
+        let saved = &self.files.saved.views;
+        let looked_around = |(now, then): (&Arc<View>, &Arc<View>)| {
+            View { eye: then.eye, screen: then.screen.clone(), ..View::clone(now) } == **then
+        };
+        let views = &self.stage().views;
+        let only_looked = || {
+            self.files.scene.is_none()
+                && self.files.views.is_none()
+                && views.len() == saved.len()
+                && views.iter().zip(saved.iter()).all(looked_around)
+        };
+        self.scene_is_modified() || self.views_are_modified() && !only_looked()
+    }
+
     /// Where the scene is saved without asking: its own file, unless that is of 2009, which is not written over.
     pub fn scene_path(&self) -> Option<&Path> {
         self.files.scene.as_ref().filter(|file| file.kind != FileKind::Of2009).map(|file| &*file.path)

@@ -86,7 +86,7 @@ impl Journal {
         if document.in_gesture() {
             return;
         }
-        if !document.is_modified() {
+        if !document.has_work_to_lose() {
             self.forget();
         } else if self.kept != Some(document.revision()) {
             self.kept = Some(document.revision());

@@ -1,7 +1,7 @@
 //! The names of the steps in the history, told in each language by the catalogue of words.
 
 use lancer_scene::Name;
-use lancer_words::{Lang, step};
+use lancer_words::{Lang, attribute, step};
 
 /// What a step did.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,8 +75,10 @@ impl StepName {
             StepName::Shown(name) => step::shown(lang, name),
             StepName::Hidden(name) => step::hidden(lang, name),
             StepName::Moved(name) => step::moved(lang, name),
-            StepName::Set { item, attribute } if item.is_empty() => step::set_world(lang, attribute),
-            StepName::Set { item, attribute } => step::set(lang, item, attribute),
+            StepName::Set { item, attribute } if item.is_empty() => {
+                step::set_world(lang, attribute::label(lang, "world", attribute))
+            }
+            StepName::Set { item, attribute } => step::set(lang, item, attribute::label(lang, "", attribute)),
             StepName::Navigated(name) => step::navigated(lang, name),
             StepName::Titled => step::titled(lang),
             StepName::DuplicatedMany(count) => step::duplicated_many(lang, count),

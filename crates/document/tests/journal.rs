@@ -209,3 +209,24 @@ proptest! {
         prop_assert_eq!((entry.scene, entry.views), (None, None));
     }
 }
+
+/// Whoever has just looked around in a scene that was never saved has nothing to lose; a view that was made is kept.
+#[test]
+fn looking_around_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("data");
+    let mut first = Document::new(StepName::New, Stage::default());
+    add(&mut first, NewItem::View(None));
+    let mut document = Document::new(StepName::New, first.stage().clone());
+    let mut journal = Journal::begin(&data).unwrap();
+    let name = document.stage().views[0].name.clone();
+    let turned = lancer_document::attribute::edit_view(document.stage(), &name, |view| view.eye.x += 1.0).unwrap();
+    document.apply(StepName::Navigated(name.clone()), &turned).unwrap();
+    journal.follow(&document);
+    journal.wait();
+    assert!(document.is_modified() && !document.has_work_to_lose() && !journal.path().exists());
+    add(&mut document, NewItem::View(None));
+    journal.follow(&document);
+    journal.wait();
+    assert!(document.has_work_to_lose() && journal.path().exists());
+}

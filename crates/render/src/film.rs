@@ -1,64 +1,67 @@
 //! Where finished tiles are put together to a picture.
 
-use crate::{RenderError, Tile};
-use lancer_scene::{Color, Picture};
+use crate::work::Done;
+use crate::{Region, RenderError};
+use lancer_scene::Picture;
 
-/// A picture that is being put together from tiles.
+/// A picture that is being put together from finished tiles.
 ///
 /// Its memory is reserved at once, so that too large a picture is refused before the first ray; it is touched only as
 /// far down as tiles have arrived, so an interrupted render of a huge picture costs little.
 #[derive(Debug)]
-pub struct Film {
-    width: u32,
-    height: u32,
+pub(crate) struct Film {
+    region: Region,
     bytes: Vec<[u8; 3]>,
     linear: Option<Vec<[f32; 3]>>,
 }
 
 impl Film {
-    /// A film for a picture of that size, which keeps the linear colours beside the bytes if asked to.
+    /// A film for the picture of a region, which keeps the linear colours beside the bytes if asked to.
     ///
     /// # Errors
     /// [`RenderError::Memory`] if there is no room for it.
-    pub fn new(width: u32, height: u32, keep_linear: bool) -> Result<Film, RenderError> {
-        let refused = |()| RenderError::Memory { width, height };
-        let pixels = usize::try_from(u64::from(width) * u64::from(height)).map_err(|_| refused(()))?;
-        let bytes = reserve(pixels).map_err(refused)?;
-        let linear = keep_linear.then(|| reserve(pixels)).transpose().map_err(refused)?;
-        Ok(Film { width, height, bytes, linear })
+    pub(crate) fn new(region: Region, keep_linear: bool) -> Result<Film, RenderError> {
+        let bytes = reserve(region)?;
+        let linear = keep_linear.then(|| reserve(region)).transpose()?;
+        Ok(Film { region, bytes, linear })
     }
 
-    /// Puts the colours of a tile, in row order, at its place. The colours become bytes here (SPEC §1, "pixel").
-    pub fn place(&mut self, tile: Tile, colors: &[Color]) {
-        let width = self.width as usize;
-        let end = (tile.y + tile.height) as usize * width;
+    /// Puts the pixels of a tile at their places; those outside of the region are left out.
+    pub(crate) fn place(&mut self, done: &Done) {
+        let Region { x: left, y: top, width, .. } = self.region;
+        let inside = |&(x, y): &(u32, u32)| self.region.contains(x, y);
+        let Some(last) = done.pixels.iter().filter(|pixel| inside(pixel)).map(|pixel| pixel.1).max() else { return };
+        let end = (last - top + 1) as usize * width as usize;
+        let place = |(x, y): (u32, u32)| (y - top) as usize * width as usize + (x - left) as usize;
         grow(&mut self.bytes, end);
+        for (&pixel, &bytes) in done.pixels.iter().zip(&done.bytes).filter(|(pixel, _)| inside(pixel)) {
+            self.bytes[place(pixel)] = bytes;
+        }
         if let Some(linear) = &mut self.linear {
             grow(linear, end);
-        }
-        for (row, colors) in (tile.y as usize..).zip(colors.chunks(tile.width as usize)) {
-            let first = row * width + tile.x as usize;
-            for (byte, color) in self.bytes.iter_mut().skip(first).zip(colors) {
-                *byte = color.to_bytes();
-            }
-            if let Some(linear) = &mut self.linear {
-                for (value, color) in linear.iter_mut().skip(first).zip(colors) {
-                    *value = color.to_array().map(|channel| channel as f32);
-                }
+            for (&pixel, color) in done.pixels.iter().zip(&done.colors).filter(|(pixel, _)| inside(pixel)) {
+                linear[place(pixel)] = color.to_array().map(|channel| channel as f32);
             }
         }
     }
 
     /// The picture, once every tile is placed.
-    pub fn into_picture(self) -> Picture {
-        Picture { width: self.width, height: self.height, bytes: self.bytes, linear: self.linear }
+    pub(crate) fn into_picture(self) -> Picture {
+        let Region { width, height, .. } = self.region;
+        Picture { width, height, bytes: self.bytes, linear: self.linear }
     }
 }
 
-/// An empty list with room for `count` items, or nothing where there is none.
-fn reserve<T>(count: usize) -> Result<Vec<T>, ()> {
+/// An empty list with room for an item for each pixel of a region.
+///
+/// # Errors
+/// [`RenderError::Memory`] if there is no room for it.
+pub(crate) fn reserve<T>(region: Region) -> Result<Vec<T>, RenderError> {
+    let refused = || RenderError::Memory { width: region.width, height: region.height };
     let mut items = Vec::new();
-    items.try_reserve_exact(count).map(|()| items).map_err(|_| ())
+    let pixels = usize::try_from(region.pixels()).map_err(|_| refused())?;
+    items.try_reserve_exact(pixels).map_err(|_| refused())?;
+    Ok(items)
 }
 
 /// Black down to `end`, within the room that was reserved.
@@ -71,26 +74,31 @@ fn grow<T: Copy + Default>(items: &mut Vec<T>, end: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tiles;
+    use crate::{Tile, tiles};
     use lancer_scene::Rgb;
+    use lancer_trace::RayCounts;
 
-    /// Any order of the tiles gives the same picture.
+    /// Any order of the tiles gives the same picture, and pixels around the region are no part of it.
     #[test]
     fn tiles_are_put_at_their_place() {
         let color = |x: u32, y: u32| Rgb::new(f64::from(x) / 255.0, f64::from(y) / 255.0, 0.0);
-        let mut film = Film::new(40, 33, true).unwrap();
-        let mut all: Vec<Tile> = tiles(40, 33).collect();
+        let region = Region { x: 3, y: 7, width: 40, height: 33 };
+        let mut film = Film::new(region, true).unwrap();
+        let mut all: Vec<Tile> = tiles(50, 50).collect();
         all.reverse();
         for tile in all {
-            film.place(tile, &tile.pixels().map(|(x, y)| color(x, y)).collect::<Vec<_>>());
+            let pixels: Vec<(u32, u32)> = tile.pixels().collect();
+            let colors: Vec<Rgb> = pixels.iter().map(|&(x, y)| color(x, y)).collect();
+            let bytes = colors.iter().map(|color| color.to_bytes()).collect();
+            film.place(&Done { size: 0, pixels, colors, bytes, counts: RayCounts::default() });
         }
         let picture = film.into_picture();
-        assert_eq!(picture.bytes.len(), 40 * 33);
+        assert_eq!((picture.width, picture.height, picture.bytes.len()), (40, 33, 40 * 33));
         for y in 0..33 {
             for x in 0..40 {
-                assert_eq!(picture.pixel(x, y), Some([x as u8, y as u8, 0]));
+                assert_eq!(picture.pixel(x, y), Some([x as u8 + 3, y as u8 + 7, 0]));
                 let linear = picture.linear.as_ref().unwrap()[(y * 40 + x) as usize];
-                assert_eq!(linear, color(x, y).to_array().map(|channel| channel as f32));
+                assert_eq!(linear, color(x + 3, y + 7).to_array().map(|channel| channel as f32));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Coarse to fine: a live picture is computed in passes, each of which adds pixels between those of the one before.
 
+use crate::blocks::in_blocks;
 use crate::{Region, Tile};
 
 /// A pass computes every `step`-th pixel of every `step`-th row, leaving out what a coarser pass computed.
@@ -57,11 +58,11 @@ impl Pass {
         Some(Region { x, y, width: self.side().min(width - x), height: self.side().min(height - y) })
     }
 
-    /// The pixels that the pass computes in a rectangle that begins on its grid, in row order.
+    /// The pixels that the pass computes in a rectangle that begins on its grid, neighbours together.
     pub fn pixels(self, within: Region) -> impl Iterator<Item = (u32, u32)> {
-        let step = self.step as usize;
-        let rows = (within.y..within.y + within.height).step_by(step);
-        rows.flat_map(move |y| (within.x..within.x + within.width).step_by(step).map(move |x| (x, y)))
+        let step = self.step;
+        in_blocks(within.width.div_ceil(step), within.height.div_ceil(step))
+            .map(move |(column, row)| (within.x + column * step, within.y + row * step))
             .filter(move |&(x, y)| self.computes(x, y))
     }
 }

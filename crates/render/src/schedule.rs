@@ -61,7 +61,7 @@ enum Filter {
 }
 
 impl Unit {
-    /// The pixels to compute, in row order.
+    /// The pixels to compute, neighbours together.
     pub fn pixels(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
         let filter = self.filter;
         self.pass.pixels(self.within).filter(move |&(x, y)| match filter {

@@ -1,5 +1,7 @@
 //! Rectangles of pixels: the part of a view that is rendered, and the pieces in which the work is handed out.
 
+use crate::blocks::in_blocks;
+
 /// A rectangle of a view's pixels, counted from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Region {
@@ -39,6 +41,16 @@ impl Region {
         overlap(self.x, self.width, other.x, other.width) && overlap(self.y, self.height, other.y, other.height)
     }
 
+    /// The region and the pixels next to it, as far as they lie in a picture of that size.
+    pub fn with_margin(&self, width: u32, height: u32) -> Region {
+        let widened = |first: u32, count: u32, all: u32| {
+            let (begin, end) = (first.saturating_sub(1), first.saturating_add(count).saturating_add(1).min(all));
+            (begin, end.saturating_sub(begin))
+        };
+        let ((x, width), (y, height)) = (widened(self.x, self.width, width), widened(self.y, self.height, height));
+        Region { x, y, width, height }
+    }
+
     /// How many pixels the region has.
     pub fn pixels(&self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
@@ -63,9 +75,9 @@ impl Tile {
     /// over all threads, large enough that handing it out costs nothing.
     pub const SIDE: u32 = 16;
 
-    /// The tile's pixels in row order, as columns and rows of the region.
+    /// The tile's pixels, neighbours together, as columns and rows of the region.
     pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
-        (self.y..self.y + self.height).flat_map(move |y| (self.x..self.x + self.width).map(move |x| (x, y)))
+        in_blocks(self.width, self.height).map(move |(x, y)| (self.x + x, self.y + y))
     }
 }
 
@@ -112,5 +124,12 @@ mod tests {
         assert!(!region(639, 479, 2, 1).lies_within(640, 480));
         assert!(!region(0, 0, 0, 1).lies_within(640, 480));
         assert!(!region(u32::MAX, 0, 2, 1).lies_within(640, 480));
+    }
+
+    #[test]
+    fn a_margin_is_one_pixel_wide_and_stays_in_the_picture() {
+        let region = |x, y, width, height| Region { x, y, width, height };
+        assert_eq!(region(5, 6, 7, 8).with_margin(640, 480), region(4, 5, 9, 10));
+        assert_eq!(region(0, 479, 640, 1).with_margin(640, 480), region(0, 478, 640, 2));
     }
 }

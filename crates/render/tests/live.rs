@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use lancer_render::live::{Job, Renderer, Session};
-use lancer_render::{RenderOptions, render_still};
+use lancer_render::{RenderOptions, Tracing, render_still};
 use lancer_scene::{
     DVec3, Environment, List, MaterialRef, Object, PointLight, Rgb, Scene, ScreenSpec, Shape, Steps, Surface, View,
 };
@@ -66,7 +66,7 @@ fn still(scene: &Scene, view: &View) -> lancer_scene::Picture {
 #[test]
 fn the_last_pass_is_the_still_picture() {
     for threads in [1, 3] {
-        let mut renderer = Renderer::new(NonZeroUsize::new(threads), || ());
+        let mut renderer = Renderer::new(NonZeroUsize::new(threads), Tracing::default(), || ());
         let mut session = renderer.open();
         for (width, height) in [(97, 53), (5, 3), (64, 64)] {
             session.start(job(scene(0.3), view(width, height)));
@@ -79,7 +79,7 @@ fn the_last_pass_is_the_still_picture() {
 
 #[test]
 fn a_priority_rectangle_changes_nothing_in_the_end() {
-    let mut renderer = Renderer::new(NonZeroUsize::new(2), || ());
+    let mut renderer = Renderer::new(NonZeroUsize::new(2), Tracing::default(), || ());
     let mut session = renderer.open();
     session.prioritise(Some(lancer_render::Region { x: 13, y: 20, width: 33, height: 9 }));
     session.start(job(scene(0.3), view(80, 60)));
@@ -89,7 +89,7 @@ fn a_priority_rectangle_changes_nothing_in_the_end() {
 
 #[test]
 fn eight_sessions_all_finish_and_an_edit_restarts_them() {
-    let mut renderer = Renderer::new(NonZeroUsize::new(2), || ());
+    let mut renderer = Renderer::new(NonZeroUsize::new(2), Tracing::default(), || ());
     let mut sessions: Vec<Session> = (0..8).map(|_| renderer.open()).collect();
     sessions[3].activate();
     for gray in [0.1, 0.2, 0.6] {
@@ -106,7 +106,7 @@ fn eight_sessions_all_finish_and_an_edit_restarts_them() {
 
 #[test]
 fn the_old_picture_stays_until_it_is_replaced_and_says_so() {
-    let mut renderer = Renderer::new(NonZeroUsize::new(1), || ());
+    let mut renderer = Renderer::new(NonZeroUsize::new(1), Tracing::default(), || ());
     let mut session = renderer.open();
     session.start(job(scene(0.3), view(32, 24)));
     until(&mut session, Session::is_finished);
@@ -127,7 +127,7 @@ fn the_old_picture_stays_until_it_is_replaced_and_says_so() {
 fn finished_means_no_work() {
     let wakes = Arc::new(AtomicUsize::new(0));
     let counted = Arc::clone(&wakes);
-    let mut renderer = Renderer::new(NonZeroUsize::new(2), move || {
+    let mut renderer = Renderer::new(NonZeroUsize::new(2), Tracing::default(), move || {
         counted.fetch_add(1, Ordering::Relaxed);
     });
     let mut session = renderer.open();
@@ -142,7 +142,7 @@ fn finished_means_no_work() {
 
 #[test]
 fn a_view_that_breaks_a_rule_is_refused() {
-    let mut renderer = Renderer::new(NonZeroUsize::new(1), || ());
+    let mut renderer = Renderer::new(NonZeroUsize::new(1), Tracing::default(), || ());
     let mut session = renderer.open();
     let mut broken = view(8, 8);
     broken.screen = ScreenSpec::LookAt { look_at: broken.eye, up: DVec3::Y, fov: 50.0 };
@@ -154,7 +154,7 @@ fn a_view_that_breaks_a_rule_is_refused() {
 /// A pixel over its budget is painted in a colour that cannot be overlooked, and named.
 #[test]
 fn a_pixel_without_a_colour_is_named() {
-    let mut renderer = Renderer::new(NonZeroUsize::new(2), || ());
+    let mut renderer = Renderer::new(NonZeroUsize::new(2), Tracing::default(), || ());
     let mut session = renderer.open();
     session.start(Job { max_rays: 1, ..job(scene(0.3), view(32, 24)) });
     until(&mut session, Session::is_finished);
@@ -167,7 +167,7 @@ fn a_pixel_without_a_colour_is_named() {
 /// The compiled scene comes with the picture, so that a window can pick in it without compiling it again.
 #[test]
 fn a_session_lends_its_world_for_picking() {
-    let mut renderer = Renderer::new(None, || {});
+    let mut renderer = Renderer::new(None, Tracing::default(), || {});
     let mut session = renderer.open();
     assert!(session.world().is_none());
     session.start(job(scene(0.1), view(64, 48)));

@@ -1,13 +1,14 @@
 //! What must hold of every rendered picture: threads and regions change nothing, errors are the same for all threads.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use lancer_render::{PixelFault, Region, RenderError, RenderOptions, Still, render_still};
+use lancer_render::{PixelFault, Region, RenderError, RenderOptions, Still, Tracing, render_pixel, render_still};
 use lancer_scene::{
     DVec3, Environment, MaterialRef, Object, PointLight, Rgb, Scene, ScreenSpec, Shape, Steps, Surface, View,
 };
-use lancer_trace::{Cancel, World};
+use lancer_trace::{Camera, Cancel, Settings, Simd, World};
 use proptest::prelude::*;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 fn view(width: u32, height: u32) -> View {
@@ -84,6 +85,12 @@ fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
+/// Every way of following rays that this machine has.
+fn tracings() -> impl Iterator<Item = Tracing> {
+    let engines = Simd::ALL.into_iter().filter(|simd| simd.is_available()).map(Tracing::Engine);
+    engines.chain([Tracing::Reference])
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 32, ..ProptestConfig::default() })]
 
@@ -97,6 +104,68 @@ proptest! {
         prop_assert_eq!(one.picture, many.picture);
         prop_assert_eq!(one.counts, many.counts);
         prop_assert_eq!(many.threads, count);
+    }
+
+    #[test]
+    fn the_engine_gives_the_references_bytes_and_counts(scene in scene(), samples in 1..3_u32) {
+        let view = View { samples, ..view(45, 31) };
+        let still = |tracing| render(&scene, &view, &RenderOptions { tracing, ..threads(2) }).unwrap();
+        let reference = still(Tracing::Reference);
+        for tracing in tracings() {
+            let still = still(tracing);
+            prop_assert_eq!(&still.picture, &reference.picture, "{:?}", tracing);
+            prop_assert_eq!(still.counts, reference.counts, "{:?}", tracing);
+        }
+    }
+
+    #[test]
+    fn adaptive_samples_are_taken_where_neighbours_differ(
+        scene in scene(), samples in 2..4_u32, threshold in 0.0..0.3, count in 1..5_usize,
+    ) {
+        let view = |samples| View { samples, ..view(40, 30) };
+        let options = RenderOptions { keep_linear: true, ..threads(count) };
+        let once = render(&scene, &view(1), &options).unwrap();
+        let fully = render(&scene, &view(samples), &options).unwrap();
+        let adaptive = RenderOptions { adaptive: Some(threshold), ..options };
+        let still = render(&scene, &view(samples), &adaptive).unwrap();
+        let colors = once.picture.linear.as_ref().unwrap();
+        let differs = |x: i32, y: i32| {
+            (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy))).any(|(i, j)| {
+                (0..40).contains(&i) && (0..30).contains(&j) && (0..3).any(|channel| {
+                    let at = |x: i32, y: i32| f64::from(colors[(y * 40 + x) as usize][channel]);
+                    (at(x, y) - at(i, j)).abs() > threshold
+                })
+            })
+        };
+        let mut refined = 0;
+        for y in 0..30 {
+            for x in 0..40 {
+                let source = if differs(x, y) { &fully } else { &once };
+                refined += u64::from(differs(x, y));
+                let (x, y) = (x as u32, y as u32);
+                prop_assert_eq!(still.picture.pixel(x, y), source.picture.pixel(x, y), "{} {}", x, y);
+            }
+        }
+        prop_assert_eq!(still.refined, Some(refined));
+        prop_assert_eq!(still.counts.primary, 40 * 30 + refined * u64::from(samples * samples));
+    }
+
+    /// Also where the seam runs along an edge, and the neighbour beyond it decides.
+    #[test]
+    fn adaptive_regions_join_without_seams(scene in scene(), seam in 1..40_u32, threshold in 0.0..0.1) {
+        let view = View { samples: 2, ..view(40, 30) };
+        let options = RenderOptions { adaptive: Some(threshold), ..threads(2) };
+        let part = |x, width| {
+            let region = Some(Region { x, y: 0, width, height: 30 });
+            render(&scene, &view, &RenderOptions { region, ..options.clone() }).unwrap().picture
+        };
+        let (whole, left, right) = (part(0, 40), part(0, seam), part(seam, 40 - seam));
+        for y in 0..30 {
+            for x in 0..40 {
+                let joined = if x < seam { left.pixel(x, y) } else { right.pixel(x - seam, y) };
+                prop_assert_eq!(joined, whole.pixel(x, y), "{} {}", x, y);
+            }
+        }
     }
 
     #[test]
@@ -159,9 +228,90 @@ fn the_first_costly_pixel_in_row_order_is_named_whatever_the_threads() {
         "one thread"
     );
     assert!(first.0 % 16 != 0 && first.1 > 16, "the example should not be a trivial one: {first:?}");
-    for count in [2, 3, 4, 8] {
-        for _ in 0..5 {
-            assert_eq!(render(&scene, &view, &options(count)).unwrap_err(), expected, "{count} threads");
+    for tracing in tracings() {
+        for count in [2, 3, 4, 8] {
+            let options = RenderOptions { tracing, ..options(count) };
+            assert_eq!(render(&scene, &view, &options).unwrap_err(), expected, "{count} threads, {tracing:?}");
+            let adaptive = RenderOptions { adaptive: Some(0.1), ..options };
+            let view = View { samples: 2, ..view.clone() };
+            assert_eq!(render(&scene, &view, &adaptive).unwrap_err(), expected, "{count} threads, adaptive");
+        }
+    }
+}
+
+/// A region's picture reads the pixels next to it, but does not fail because of them.
+#[test]
+fn a_costly_pixel_beside_an_adaptive_region_is_taken_for_different() {
+    let scene = costly_corner();
+    let view = View { samples: 2, ..view(90, 60) };
+    let cheap = |x, y| {
+        let region = Some(Region { x, y, width: 1, height: 1 });
+        render(&scene, &view, &RenderOptions { max_rays: Some(500), region, ..threads(1) }).is_ok()
+    };
+    let (x, y) = (1..90).flat_map(|x| (1..60).map(move |y| (x, y))).find(|&(x, y)| !cheap(x, y)).unwrap();
+    assert!(cheap(x - 1, y), "the costly pixels begin at column {x}");
+    let options = RenderOptions {
+        max_rays: Some(500),
+        adaptive: Some(1.0),
+        region: Some(Region { x: x - 1, y, width: 1, height: 1 }),
+        ..threads(1)
+    };
+    assert_eq!(render(&scene, &view, &options).unwrap().refined, Some(1), "although no colour differs by more than 1");
+}
+
+/// Pixels that cost more rays than are traced together at first.
+#[test]
+fn expensive_pixels_have_the_references_colour_and_rays() {
+    let mut scene = costly_corner();
+    scene.world.depth = 18;
+    let options = |tracing| RenderOptions {
+        tracing,
+        max_rays: Some(u64::MAX),
+        region: Some(Region { x: 65, y: 45, width: 2, height: 1 }),
+        ..threads(2)
+    };
+    let still = |tracing| render(&scene, &view(90, 60), &options(tracing)).unwrap();
+    let reference = still(Tracing::Reference);
+    assert!(reference.counts.total() > 2 * 65_536, "{:?}", reference.counts);
+    for tracing in tracings() {
+        let still = still(tracing);
+        assert_eq!((still.picture, still.counts), (reference.picture.clone(), reference.counts), "{tracing:?}");
+    }
+}
+
+/// The greatest depth, where a picture's pixels cost as many rays as they may: the stacks of the threads suffice.
+#[test]
+fn rays_go_down_to_the_greatest_depth() {
+    let mut scene = costly_corner();
+    scene.world.depth = 64;
+    // without mirrors there is one ray a level
+    let facing = |object: &Arc<Object>| {
+        let surface = Surface { kr: Rgb::splat(1.0), ..Surface::default() };
+        Object { material: MaterialRef::Inline(surface.into()), ..Object::clone(object) }
+    };
+    scene.objects = scene.objects.iter().map(facing).collect();
+    let inside = View { eye: DVec3::new(2.0, -2.0, 0.5), ..view(24, 24) };
+    let mut reflected = Vec::new();
+    for tracing in tracings() {
+        let still = render(&scene, &inside, &RenderOptions { tracing, ..threads(2) }).unwrap();
+        reflected.push(still.counts.reflected);
+    }
+    reflected.dedup();
+    assert_eq!(reflected.len(), 1, "{reflected:?}");
+}
+
+#[test]
+fn a_pixel_by_itself_has_the_pictures_colour() {
+    let (scene, view) = (costly_corner(), view(90, 60));
+    let world = World::compile(&scene);
+    let camera = Camera::new(&view).unwrap();
+    for tracing in tracings() {
+        let options = RenderOptions { tracing, ..threads(1) };
+        let picture = render_still(&world, &view, &options, &Cancel::default(), |_, _| ()).unwrap().picture;
+        for place in [(0, 0), (50, 40), (89, 59)] {
+            let settings = Settings::of(&world, &view);
+            let color = render_pixel(&world, &camera, settings, tracing, place, &Cancel::default()).unwrap();
+            assert_eq!(Some(color.to_bytes()), picture.pixel(place.0, place.1));
         }
     }
 }
@@ -188,6 +338,18 @@ fn progress_rises_to_the_number_of_pixels() {
     render_still(&world, &view(50, 40), &threads(3), &Cancel::default(), |done, all| seen.push((done, all))).unwrap();
     assert!(seen.windows(2).all(|pair| pair[0].0 < pair[1].0));
     assert_eq!(seen.last(), Some(&(50 * 40, 50 * 40)));
+
+    // the centres of the region and of the pixels around it, then the region again
+    let options = RenderOptions {
+        adaptive: Some(0.1),
+        region: Some(Region { x: 0, y: 10, width: 50, height: 20 }),
+        ..threads(3)
+    };
+    let view = View { samples: 2, ..view(50, 40) };
+    seen.clear();
+    render_still(&world, &view, &options, &Cancel::default(), |done, all| seen.push((done, all))).unwrap();
+    assert!(seen.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    assert_eq!(seen.last(), Some(&(50 * 22 + 50 * 20, 50 * 22 + 50 * 20)));
 }
 
 #[test]
@@ -209,23 +371,25 @@ fn a_cancelled_picture_stops_at_once() {
     let mut scene = costly_corner();
     scene.world.depth = 64;
     let world = World::compile(&scene);
-    let cancel = Cancel::default();
-    let region = Region { x: 60, y: 45, width: 2, height: 2 };
-    let options = RenderOptions { max_rays: Some(u64::MAX), region: Some(region), ..threads(2) };
-    let (outcome, waited) = std::thread::scope(|scope| {
-        let running = scope.spawn(|| {
-            let outcome = render_still(&world, &view(90, 60), &options, &cancel, |_, _| ());
-            (outcome, Instant::now())
+    for tracing in tracings() {
+        let cancel = Cancel::default();
+        let region = Region { x: 60, y: 30, width: 20, height: 30 };
+        let options = RenderOptions { tracing, max_rays: Some(u64::MAX), region: Some(region), ..threads(2) };
+        let (outcome, waited) = std::thread::scope(|scope| {
+            let running = scope.spawn(|| {
+                let outcome = render_still(&world, &view(90, 60), &options, &cancel, |_, _| ());
+                (outcome, Instant::now())
+            });
+            std::thread::sleep(Duration::from_millis(100));
+            assert!(!running.is_finished(), "the pixels should take for ever");
+            let asked = Instant::now();
+            cancel.cancel();
+            let (outcome, ended) = running.join().unwrap();
+            (outcome, ended - asked)
         });
-        std::thread::sleep(Duration::from_millis(100));
-        assert!(!running.is_finished(), "the pixels should take for ever");
-        let asked = Instant::now();
-        cancel.cancel();
-        let (outcome, ended) = running.join().unwrap();
-        (outcome, ended - asked)
-    });
-    assert_eq!(outcome.unwrap_err(), RenderError::Cancelled);
-    assert!(waited < Duration::from_millis(50), "{waited:?}");
+        assert_eq!(outcome.unwrap_err(), RenderError::Cancelled);
+        assert!(waited < Duration::from_millis(50), "{waited:?}, {tracing:?}");
+    }
 }
 
 #[test]

@@ -80,7 +80,8 @@ impl Rgb {
 
     /// The bytes of a colour: `floor(255·c + 0.5)` with `c` clamped to 0..1.
     pub fn to_bytes(self) -> [u8; 3] {
-        self.to_array().map(|value| (255.0 * value.clamp(0.0, 1.0) + 0.5).floor() as u8)
+        // of what is not negative, the conversion to an integer is the floor
+        self.to_array().map(|value| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8)
     }
 }
 

@@ -8,6 +8,7 @@
 mod color;
 mod edit;
 mod environment;
+pub mod generate;
 mod light;
 mod lint;
 mod list;

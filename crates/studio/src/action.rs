@@ -1,6 +1,7 @@
 //! What a panel asks for. A panel changes nothing itself: it returns actions, and `perform` carries them out in one
 //! place.
 
+use crate::explainer::Target;
 use crate::toasts::Toast;
 use egui_tiles::LinearDir;
 use lancer_document::insert::NewItem;
@@ -44,6 +45,8 @@ pub enum Action {
     Rename(Item),
     /// The renaming in the outliner is over, done or not.
     EndRename,
+    /// Explains a pixel.
+    Explain(Target),
     /// Brings a tab at the bottom to the front.
     ShowTab(Tab),
     /// Puts text on the clipboard.
@@ -78,10 +81,21 @@ pub enum FileAction {
         /// What the file will hold.
         text: String,
     },
+    /// Writes the scene or the views in the format of 2009.
+    Export2009(Exported),
     /// Reads a mesh file and adds it as an object.
     AddMesh,
     /// Ends the program.
     Quit,
+}
+
+/// What is written in the format of 2009.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Exported {
+    /// The scene.
+    Scene,
+    /// The views.
+    Views,
 }
 
 /// What happens to one view.
@@ -152,6 +166,8 @@ pub enum Tab {
     Text,
     /// The scene as a document.
     Xml,
+    /// A pixel with all its rays.
+    Explain,
     /// What is wrong with the last file.
     Problems,
     /// The steps.
@@ -160,5 +176,5 @@ pub enum Tab {
 
 impl Tab {
     /// Every tab in its order.
-    pub const ALL: [Tab; 4] = [Tab::Text, Tab::Xml, Tab::Problems, Tab::History];
+    pub const ALL: [Tab; 5] = [Tab::Text, Tab::Xml, Tab::Explain, Tab::Problems, Tab::History];
 }

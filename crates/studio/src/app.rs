@@ -1,13 +1,14 @@
 //! The window: what it holds, and one frame of it.
 
 use crate::Action;
-use crate::action::FileAction;
+use crate::action::{FileAction, Tab};
 use crate::bars;
 use crate::context::{Context, PaneState};
 use crate::dialogs::{Browser, Dialogs};
 use crate::entry;
+use crate::explainer::{Explainer, Target};
 use crate::export::Exports;
-use crate::files::{self, After, Files};
+use crate::files::{After, Files};
 use crate::frame::{detached, nothing, tabs, titled};
 use crate::layout::{Layout, SIMPLIFICATION};
 use crate::modals::{self, Modal};
@@ -23,6 +24,7 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand, ViewportId};
 use lancer_document::journal::{self, Journal};
 use lancer_document::wireframe::Wireframes;
 use lancer_document::{Document, Item, StepName};
+use lancer_render::Tracing;
 use lancer_render::live::Renderer;
 use lancer_scene::Stage;
 use lancer_words::{Lang, studio::app as words};
@@ -35,6 +37,8 @@ pub struct Start {
     pub settings: Settings,
     /// The language; `None` for the remembered one or the locale's.
     pub lang: Option<Lang>,
+    /// What follows the rays of all pictures.
+    pub tracing: Tracing,
     /// What is shown until something is opened.
     pub stage: Stage,
     /// Files to open: a scene, then documents of views.
@@ -62,6 +66,7 @@ pub(crate) struct Model {
     pub(crate) renaming: Option<Item>,
     /// The view that is worked in.
     pub(crate) active: Option<String>,
+    pub(crate) explainer: Explainer,
     swatches: Swatches,
 }
 
@@ -119,11 +124,12 @@ impl Studio {
                 reports: Vec::new(),
                 renaming: None,
                 active: None,
-                swatches: Swatches::new(ctx.clone()),
+                explainer: Explainer::default(),
+                swatches: Swatches::new(ctx.clone(), start.tracing),
             },
             panes: Panes {
                 live: BTreeMap::new(),
-                renderer: Renderer::new(None, move || waker.request_repaint_of(ViewportId::ROOT)),
+                renderer: Renderer::new(None, start.tracing, move || waker.request_repaint_of(ViewportId::ROOT)),
                 picker: Picker::new(ctx.clone()),
                 wireframes: Wireframes::default(),
             },
@@ -131,7 +137,7 @@ impl Studio {
             modal: recovery.map(|(entry, journal)| Modal::Recover(Box::new(entry), journal)),
             // without a journal one works as well, only not as safely
             journal: start.journals.and_then(|folder| Journal::begin(&folder).ok()),
-            exports: Exports::default(),
+            exports: Exports::new(start.tracing),
             dialogs: start.dialogs,
             browser: None,
             leaving: false,
@@ -223,6 +229,27 @@ impl Studio {
         }
     }
 
+    /// Lets the explanation follow what its view shows, as long as it is seen. Without a pixel it begins in the middle
+    /// of the view that is worked in.
+    fn explain(&mut self, ctx: &egui::Context) {
+        let model = &mut self.model;
+        if !model.settings.tabs || model.settings.tab != Tab::Explain {
+            return;
+        }
+        let shown = |target: &Target| self.panes.live.contains_key(&*target.view);
+        if !model.explainer.target().is_some_and(shown)
+            && let Some(active) = &model.active
+        {
+            model.explainer.aim(Target { view: active.as_str().into(), at: (0.5, 0.5) });
+        }
+        let live = model.explainer.target().and_then(|target| self.panes.live.get(&*target.view));
+        if let Some(live) = live
+            && let (Some(world), Some(scene), Some(view)) = (live.session().world(), live.scene(), live.view())
+        {
+            model.explainer.follow(ctx, world, scene, view);
+        }
+    }
+
     /// Everything in the main window.
     fn panels(&mut self, ui: &mut Ui, palette: &Palette) -> Vec<Action> {
         let active =
@@ -248,7 +275,7 @@ impl Studio {
         });
         let side = Frame::new().fill(palette.panel);
         if settings.tabs {
-            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(170.0).size_range(80.0..=600.0);
+            let panel = Panel::bottom("tabs").frame(side).resizable(true).default_size(220.0).size_range(80.0..=600.0);
             actions.extend(panel.show(ui, |ui| tabs(ui, &context)).inner);
         }
         if settings.outliner {
@@ -259,7 +286,7 @@ impl Studio {
         }
         if settings.properties {
             let panel =
-                Panel::right("properties").frame(side).resizable(true).default_size(300.0).size_range(220.0..=520.0);
+                Panel::right("properties").frame(side).resizable(true).default_size(330.0).size_range(260.0..=520.0);
             let name = words::properties(context.lang);
             actions.extend(panel.show(ui, |ui| titled(ui, &context, &name, panels::properties::show)).inner);
         }
@@ -308,6 +335,7 @@ impl Model {
             modified: self.modified(),
             renaming: self.renaming.as_ref(),
             reports: &self.reports,
+            explainer: &self.explainer,
             swatches: &self.swatches,
         }
     }
@@ -319,7 +347,7 @@ impl Model {
 
     /// Whether there are changes that are not saved.
     pub(crate) fn modified(&self) -> bool {
-        files::is_modified(&self.document)
+        self.document.has_work_to_lose()
     }
 
     /// The name of the document for titles and questions.
@@ -334,6 +362,7 @@ impl eframe::App for Studio {
         let ctx = ui.ctx().clone();
         self.take_news(&ctx);
         self.arrange();
+        self.explain(&ctx);
         let palette = Palette::of(ctx.theme());
         let actions = self.panels(ui, palette);
         modals::show(self, &ctx, palette);

@@ -59,6 +59,12 @@ fn groups(ui: &mut Ui, context: &Context<'_>, groups: Groups, actions: &mut Vec<
             });
             continue;
         }
+        if matches!(group, [Entry::ShowTab(_), ..]) {
+            ui.menu_button((sign_text(None), words::show_tab(context.lang)), |ui| {
+                group.iter().for_each(|entry| row(ui, context, *entry, actions));
+            });
+            continue;
+        }
         for entry in *group {
             row(ui, context, *entry, actions);
         }
@@ -68,10 +74,12 @@ fn groups(ui: &mut Ui, context: &Context<'_>, groups: Groups, actions: &mut Vec<
 /// The menu bar.
 pub(crate) fn menu_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     let (lang, mut actions) = (context.lang, Vec::new());
+    ui.spacing_mut().interact_size.y = crate::chrome::SIDE;
     MenuBar::new().ui(ui, |ui| {
         for (name, menu, entries) in MENUS {
             ui.menu_button(name(lang), |ui| {
                 ui.set_min_width(240.0);
+                ui.spacing_mut().interact_size.y = 24.0;
                 match menu {
                     Menu::File => file(ui, context, entries, &mut actions),
                     Menu::View => {
@@ -201,10 +209,16 @@ pub(crate) fn status_bar<'a>(ui: &mut Ui, context: &Context<'_>, shown: impl Ite
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         let file = context.path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
-        let state = if context.modified { app::modified(lang) } else { app::saved(lang) };
+        let state = match (context.modified, &file) {
+            (true, _) => Some(app::modified(lang)),
+            (false, Some(_)) => Some(app::saved(lang)),
+            // nothing was ever saved, and there is nothing to save
+            (false, None) => None,
+        };
         let file = file.unwrap_or_else(|| app::untitled(lang));
         let counts = summary(context.document.stage(), lang);
-        ui.label(small(format!("{file} · {counts} · {state}")));
+        let parts: Vec<String> = [Some(file), Some(counts), state].into_iter().flatten().collect();
+        ui.label(small(parts.join(" · ")));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let cost = app::totals(lang, view::compact(lang, rays), view::duration(lang, longest));
             let text = if working > 0 {

@@ -1,5 +1,6 @@
 //! What a panel may read.
 
+use crate::explainer::Explainer;
 use crate::report::Report;
 use crate::settings::Settings;
 use crate::swatches::Swatches;
@@ -33,6 +34,8 @@ pub struct Context<'a> {
     pub renaming: Option<&'a Item>,
     /// What was found in the files that were opened last, the newest last.
     pub reports: &'a [Report],
+    /// The pixel that is explained, and its explanation.
+    pub explainer: &'a Explainer,
     /// Small pictures of materials, rendered beside the window.
     pub swatches: &'a Swatches,
 }

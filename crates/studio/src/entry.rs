@@ -4,7 +4,7 @@
 use crate::context::Context;
 use crate::kind::Kind;
 use crate::menus::MENUS;
-use crate::{Action, FileAction, Tab, ViewAction, WindowAction};
+use crate::{Action, Exported, FileAction, Tab, ViewAction, WindowAction};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons as icon;
@@ -30,6 +30,8 @@ pub enum Entry {
     SaveViews,
     /// Saves the views elsewhere.
     SaveViewsAs,
+    /// Writes the scene or the views in the format of 2009.
+    Export2009(Exported),
     /// Saves the picture of the active view.
     SavePicture,
     /// Ends the program.
@@ -116,6 +118,8 @@ impl Entry {
             Entry::LoadViews => words::load_views(lang),
             Entry::SaveViews => words::save_views(lang),
             Entry::SaveViewsAs => words::save_views_as(lang),
+            Entry::Export2009(Exported::Scene) => words::export_scene_2009(lang),
+            Entry::Export2009(Exported::Views) => words::export_views_2009(lang),
             Entry::SavePicture => words::save_picture(lang),
             Entry::Quit => words::quit(lang),
             Entry::Undo => words::undo(lang),
@@ -198,6 +202,7 @@ impl Entry {
             | Entry::LoadViews
             | Entry::SaveViews
             | Entry::SaveViewsAs
+            | Entry::Export2009(_)
             | Entry::Quit
             | Entry::SelectAll
             | Entry::SelectNone
@@ -261,12 +266,17 @@ impl Entry {
             Entry::Tabs => keys![NONE F10],
             Entry::Properties => keys![NONE F11],
             Entry::Shortcuts => keys![NONE F1],
+            Entry::ShowTab(Tab::Text) => keys![CTRL Num1],
+            Entry::ShowTab(Tab::Xml) => keys![CTRL Num2],
+            Entry::ShowTab(Tab::Explain) => keys![CTRL Num3],
+            Entry::ShowTab(Tab::Problems) => keys![CTRL Num4],
+            Entry::ShowTab(Tab::History) => keys![CTRL Num5],
             Entry::Add(_)
             | Entry::LoadViews
             | Entry::SaveViews
             | Entry::SaveViewsAs
+            | Entry::Export2009(_)
             | Entry::Fit
-            | Entry::ShowTab(_)
             | Entry::ResetLayout
             | Entry::NoRegion
             | Entry::About => &[],
@@ -307,6 +317,7 @@ impl Entry {
             Entry::LoadViews => file(FileAction::LoadViews),
             Entry::SaveViews => file(FileAction::SaveViews),
             Entry::SaveViewsAs => file(FileAction::SaveViewsAs),
+            Entry::Export2009(what) => file(FileAction::Export2009(what)),
             Entry::SavePicture => view(&|_| ViewAction::SavePicture(Format::PlainPpm)),
             Entry::Quit => file(FileAction::Quit),
             Entry::Undo => document.history().undoable().map(|_| vec![Action::Undo]),
@@ -377,6 +388,7 @@ impl Entry {
                 | Entry::Outliner
                 | Entry::Tabs
                 | Entry::Properties
+                | Entry::ShowTab(_)
         )
     }
 
@@ -412,7 +424,8 @@ pub fn pressed(ctx: &egui::Context, context: &Context<'_>) -> Vec<Action> {
 /// Takes a key by its place on the keyboard: with Shift, or on a French keyboard without it, digits and the backslash
 /// are other signs.
 fn consume_by_place(input: &mut egui::InputState, keys: KeyboardShortcut) -> bool {
-    if !matches!(keys.logical_key, Key::Num0 | Key::Num1 | Key::Num3 | Key::Num7 | Key::Backslash) {
+    let digit = |key: &Key| (Key::Num0..=Key::Num9).contains(key);
+    if !digit(&keys.logical_key) && keys.logical_key != Key::Backslash {
         return false;
     }
     let before = input.events.len();
@@ -441,6 +454,7 @@ pub fn tab_name(tab: Tab, lang: Lang) -> String {
     match tab {
         Tab::Text => app::tab_text(lang),
         Tab::Xml => app::tab_xml(lang),
+        Tab::Explain => app::tab_explain(lang),
         Tab::Problems => app::tab_problems(lang),
         Tab::History => app::tab_history(lang),
     }

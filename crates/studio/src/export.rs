@@ -7,7 +7,7 @@ use egui::{Align2, Area, Frame, Id, Margin, Order, ProgressBar, Vec2};
 use egui_material_icons::icons as icon;
 use lancer_formats::picture::{self, Format};
 use lancer_formats::{Describe, save};
-use lancer_render::{RenderError, RenderOptions, render_still};
+use lancer_render::{RenderError, RenderOptions, Tracing, render_still};
 use lancer_scene::{Picture, Scene, View};
 use lancer_trace::{Cancel, World};
 use lancer_words::{Lang, studio::app as words};
@@ -47,22 +47,30 @@ struct Export {
 }
 
 /// The pictures on their way.
-#[derive(Default)]
-pub(crate) struct Exports(Vec<Export>);
+pub(crate) struct Exports {
+    /// What follows their rays.
+    tracing: Tracing,
+    exports: Vec<Export>,
+}
 
 impl std::fmt::Debug for Exports {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_tuple("Exports").field(&self.0.len()).finish()
+        f.debug_tuple("Exports").field(&self.exports.len()).finish()
     }
 }
 
 impl Exports {
+    /// No picture yet.
+    pub(crate) fn new(tracing: Tracing) -> Exports {
+        Exports { tracing, exports: Vec::new() }
+    }
+
     /// Begins to write a picture.
     pub(crate) fn begin(&mut self, ctx: &egui::Context, path: PathBuf, format: Format, from: From) {
         let name = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
         let (done, cancel, (result, end)) = (Arc::new(AtomicU32::new(0)), Cancel::default(), channel());
         let export = Export { name, done: Arc::clone(&done), cancel: cancel.clone(), end };
-        let ctx = ctx.clone();
+        let (ctx, tracing) = (ctx.clone(), self.tracing);
         std::thread::spawn(move || {
             let progress = |now: u64, all: u64| {
                 let thousandths = (now * 1000 / all.max(1)) as u32;
@@ -71,15 +79,15 @@ impl Exports {
                 }
             };
             // a window that is gone wants no news
-            let _ = result.send(run(path, format, from, &cancel, progress));
+            let _ = result.send(run(path, format, from, tracing, &cancel, progress));
             ctx.request_repaint_of(egui::ViewportId::ROOT);
         });
-        self.0.push(export);
+        self.exports.push(export);
     }
 
     /// Takes what has ended.
     pub(crate) fn take(&mut self, toasts: &mut Toasts, lang: Lang) {
-        self.0.retain(|export| match export.end.try_recv() {
+        self.exports.retain(|export| match export.end.try_recv() {
             Ok(End::Written) => {
                 toasts.say(Toast::done(words::written(lang, &export.name)));
                 false
@@ -96,12 +104,12 @@ impl Exports {
 
     /// Draws how far they are.
     pub(crate) fn show(&self, ctx: &egui::Context, palette: &Palette, lang: Lang) {
-        if self.0.is_empty() {
+        if self.exports.is_empty() {
             return;
         }
         let area = Area::new(Id::unique("exports")).order(Order::Foreground);
         area.anchor(Align2::CENTER_BOTTOM, Vec2::new(0.0, -44.0)).show(ctx, |ui| {
-            for export in &self.0 {
+            for export in &self.exports {
                 Frame::popup(ui.style()).fill(palette.bar).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
                     ui.horizontal(|ui| {
                         ui.label(words::exporting(lang, &export.name));
@@ -118,11 +126,18 @@ impl Exports {
 }
 
 /// Renders where it must, and writes.
-fn run(path: PathBuf, format: Format, from: From, cancel: &Cancel, progress: impl FnMut(u64, u64)) -> End {
+fn run(
+    path: PathBuf,
+    format: Format,
+    from: From,
+    tracing: Tracing,
+    cancel: &Cancel,
+    progress: impl FnMut(u64, u64),
+) -> End {
     let picture = match from {
         From::Picture(picture) => picture,
         From::Render { scene, view } => {
-            let options = RenderOptions { keep_linear: format.is_linear(), ..RenderOptions::default() };
+            let options = RenderOptions { tracing, keep_linear: format.is_linear(), ..RenderOptions::default() };
             match render_still(&World::compile(&scene), &view, &options, cancel, progress) {
                 Ok(still) => still.picture,
                 Err(RenderError::Cancelled) => return End::Cancelled,

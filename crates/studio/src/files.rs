@@ -2,6 +2,7 @@
 
 use crate::app::Studio;
 use crate::dialogs::{Browser, Reply};
+use crate::legacy::Making;
 use crate::modals::{self, Modal};
 use crate::questions::Question;
 use crate::reading::{Purpose, Read, Reading};
@@ -42,6 +43,8 @@ pub(crate) struct Files {
     /// Files to read after that one.
     waiting: VecDeque<(PathBuf, Purpose)>,
     writing: Vec<Writing>,
+    /// What is about to be exported to the format of 2009.
+    making: Option<Making>,
     /// What goes on once everything is written.
     after: Option<After>,
 }
@@ -52,12 +55,6 @@ impl Files {
         self.question = None;
         self.after = None;
     }
-}
-
-/// Whether there are changes that are not saved. Of a document without a file only the scene counts: whoever has just
-/// looked around has nothing to lose.
-pub(crate) fn is_modified(document: &Document) -> bool {
-    document.scene_is_modified() || document.scene_file().is_some() && document.views_are_modified()
 }
 
 impl Studio {
@@ -82,6 +79,14 @@ impl Studio {
             self.read_next(ctx);
         }
         self.take_written(ctx);
+        if let Some(made) = self.model.files.making.as_ref().and_then(Making::poll) {
+            self.model.files.making = None;
+            if made.losses.is_empty() {
+                self.ask(Question::Export2009(made.what, made.text));
+            } else {
+                self.modal = Some(Modal::Losses(made));
+            }
+        }
     }
 
     /// Goes on with a file that was chosen.
@@ -95,7 +100,7 @@ impl Studio {
             Question::Save => self.write_document(ctx, path),
             Question::SaveViews => self.write_views(ctx, path),
             Question::Picture(view, format) => self.export(ctx, path, &view, format),
-            Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
+            Question::Export2009(_, text) | Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
         }
     }
 
@@ -116,6 +121,9 @@ impl Studio {
             },
             FileAction::SaveViewsAs => self.ask(Question::SaveViews),
             FileAction::SaveText { name, text } => self.ask(Question::Text { name, text }),
+            FileAction::Export2009(what) => {
+                self.model.files.making = Some(Making::begin(ctx, self.model.document.stage(), what));
+            }
             FileAction::AddMesh => self.ask(Question::Mesh),
             FileAction::Quit => self.ask_about_changes(ctx, After::Quit),
         }

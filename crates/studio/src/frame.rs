@@ -68,6 +68,7 @@ pub(crate) fn tabs(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
         let show = match context.settings.tab {
             Tab::Text => panels::text::show,
             Tab::Xml => panels::xml::show,
+            Tab::Explain => panels::explain::show,
             Tab::Problems => panels::problems::show,
             Tab::History => panels::history::show,
         };

@@ -58,6 +58,11 @@ impl Kind {
         }
     }
 
+    /// The picture of the kind, the same wherever it stands.
+    pub fn icon(self) -> MaterialIcon {
+        self.words().1
+    }
+
     /// What the document adds; `None` for a mesh, whose file is asked for first.
     pub(crate) fn item(self, context: &Context<'_>) -> Option<NewItem> {
         Some(match self {

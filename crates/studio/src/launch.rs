@@ -7,6 +7,7 @@ use crate::dialogs::SystemDialogs;
 use crate::settings::Settings;
 use crate::{Start, Studio, welcome};
 use egui::ViewportBuilder;
+use lancer_render::Tracing;
 use lancer_words::{Lang, studio::app as words};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -32,7 +33,7 @@ const LIBRARIES: [(&str, &str); 8] = [
 ///
 /// # Errors
 /// The sentence that says why there is no window.
-pub fn run(lang: Option<Lang>, open: Vec<PathBuf>) -> Result<(), String> {
+pub fn run(lang: Option<Lang>, open: Vec<PathBuf>, tracing: Tracing) -> Result<(), String> {
     let spoken = lang.unwrap_or_else(of_locale);
     let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if cfg!(target_os = "linux") && !set("DISPLAY") && !set("WAYLAND_DISPLAY") {
@@ -61,7 +62,7 @@ pub fn run(lang: Option<Lang>, open: Vec<PathBuf>) -> Result<(), String> {
                     let dialogs = Box::new(SystemDialogs::new(ctx.clone()));
                     let settings = Settings::restored(creation.storage);
                     let journals = eframe::storage_dir(NAME).map(|folder| folder.join("journals"));
-                    let start = Start { settings, lang, stage: welcome::stage(), open, dialogs, journals };
+                    let start = Start { settings, lang, tracing, stage: welcome::stage(), open, dialogs, journals };
                     Ok(Box::new(Studio::new(ctx, start)))
                 }),
             )

@@ -2,6 +2,7 @@
 
 use crate::entry::Entry;
 use crate::kind::Kind;
+use crate::{Exported, Tab};
 use lancer_document::navigate::Side;
 use lancer_words::{Lang, studio::menu as words};
 
@@ -20,7 +21,7 @@ pub const MENUS: &[(Words, Menu, Groups)] = &[
             &[Entry::New, Entry::Open],
             &[Entry::Save, Entry::SaveAs],
             &[Entry::LoadViews, Entry::SaveViews, Entry::SaveViewsAs],
-            &[Entry::SavePicture],
+            &[Entry::SavePicture, Entry::Export2009(Exported::Scene), Entry::Export2009(Exported::Views)],
             &[Entry::Quit],
         ],
     ),
@@ -63,6 +64,13 @@ pub const MENUS: &[(Words, Menu, Groups)] = &[
             ],
             &[Entry::Frame, Entry::Grid, Entry::Fit],
             &[Entry::Outliner, Entry::Properties, Entry::Tabs],
+            &[
+                Entry::ShowTab(Tab::Text),
+                Entry::ShowTab(Tab::Xml),
+                Entry::ShowTab(Tab::Explain),
+                Entry::ShowTab(Tab::Problems),
+                Entry::ShowTab(Tab::History),
+            ],
             &[Entry::ZoomIn, Entry::ZoomOut, Entry::ZoomReset, Entry::ResetLayout],
         ],
     ),

@@ -4,11 +4,16 @@ use crate::app::Studio;
 use crate::dialogs::Reply;
 use crate::entry::Entry;
 use crate::files::After;
+use crate::legacy::Losses;
 use crate::menus::MENUS;
+use crate::questions::Question;
 use crate::theme::Palette;
+use crate::told;
 use egui::{Align, Button, Grid, Id, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
+use egui_material_icons::icons::ICON_WARNING;
 use lancer_document::Document;
 use lancer_document::journal::{Entry as Kept, LeftBehind};
+use lancer_formats::Describe;
 use lancer_formats::load::LoadOptions;
 use lancer_words::{Lang, studio::app as words, studio::menu};
 use std::path::Path;
@@ -22,6 +27,8 @@ pub(crate) enum Modal {
     Shortcuts,
     /// What the program is.
     About,
+    /// What the format of 2009 cannot hold of what is exported to it.
+    Losses(Losses),
     /// A program before this one has ended without saving: what it kept.
     Recover(Box<Kept>, LeftBehind),
 }
@@ -50,6 +57,7 @@ pub(crate) fn show(studio: &mut Studio, ctx: &egui::Context, palette: &Palette) 
             let open = sheet(ctx, palette, lang, |ui| about(ui, lang));
             studio.modal = open.then_some(Modal::About);
         }
+        Some(Modal::Losses(losses)) => ask_about_losses(studio, ctx, palette, losses),
         Some(Modal::Recover(entry, journal)) => recover(studio, ctx, palette, entry, journal),
         None => {}
     }
@@ -93,6 +101,42 @@ fn unsaved(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, after: A
         Some(Answer::Discard) => studio.go_on(ctx, after),
         Some(Answer::Cancel) => {}
         None => studio.modal = Some(Modal::Unsaved(after)),
+    }
+}
+
+/// Says what an export loses, and asks whether it is made.
+fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, losses: Losses) {
+    let lang = studio.model.lang;
+    let mut answer = None;
+    let modal = modal(ctx, "losses").show(ctx, |ui| {
+        ui.set_width(460.0);
+        ui.heading(words::losses_title(lang));
+        ui.add_space(6.0);
+        ui.label(words::losses_text(lang));
+        ui.add_space(8.0);
+        ScrollArea::vertical().max_height(260.0).show(ui, |ui| {
+            for loss in &losses.losses {
+                ui.horizontal_top(|ui| {
+                    ui.label(ICON_WARNING.rich_text().size(15.0).color(palette.warning));
+                    ui.add(egui::Label::new(told::sentence(&loss.message(lang))).wrap());
+                });
+            }
+        });
+        ui.add_space(14.0);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let enter = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+            if ui.add(default_button(words::export(lang), palette)).clicked() || enter {
+                answer = Some(true);
+            }
+            if ui.add(Button::new(words::cancel(lang)).min_size(egui::vec2(80.0, 28.0))).clicked() {
+                answer = Some(false);
+            }
+        });
+    });
+    match answer.or_else(|| modal.should_close().then_some(false)) {
+        Some(true) => studio.ask(Question::Export2009(losses.what, losses.text)),
+        Some(false) => {}
+        None => studio.modal = Some(Modal::Losses(losses)),
     }
 }
 
@@ -200,7 +244,7 @@ fn keys(ui: &mut Ui, palette: &Palette, lang: Lang) {
 fn mouse(ui: &mut Ui, palette: &Palette, lang: Lang) {
     section(ui, palette, menu::in_a_view(lang));
     type Words = fn(Lang) -> String;
-    let rows: [(Words, Words); 11] = [
+    let rows: [(Words, Words); 12] = [
         (menu::click, menu::click_does),
         (menu::shift_click, menu::shift_click_does),
         (menu::drag_selected, menu::drag_selected_does),
@@ -212,6 +256,7 @@ fn mouse(ui: &mut Ui, palette: &Palette, lang: Lang) {
         (menu::wheel, menu::wheel_does),
         (menu::arrows, menu::arrows_does),
         (menu::page_keys, menu::page_keys_does),
+        (menu::explain_click, menu::explain_click_does),
     ];
     let rows = rows.into_iter().chain([(menu::region as fn(Lang) -> String, menu::region_does as fn(Lang) -> String)]);
     for (what, does) in rows {

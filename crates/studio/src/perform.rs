@@ -4,7 +4,7 @@ use crate::app::Studio;
 use crate::modals::Modal;
 use crate::settings::Settings;
 use crate::toasts::Toast;
-use crate::{Action, ViewAction, WindowAction, told};
+use crate::{Action, Tab, ViewAction, WindowAction, told};
 use egui::ViewportCommand;
 use egui_tiles::LinearDir;
 use lancer_document::insert::{self, NewItem, Standpoint};
@@ -16,8 +16,8 @@ use lancer_words::studio::app as words;
 use std::sync::Arc;
 
 impl Studio {
-    /// Carries out an action.
-    pub(crate) fn perform(&mut self, ctx: &egui::Context, action: Action) {
+    /// Carries out an action, as when a panel asks for it.
+    pub fn perform(&mut self, ctx: &egui::Context, action: Action) {
         let before = self.model.document.stage().views.clone();
         let outcome = self.change(ctx, action);
         if let Err(error) = outcome {
@@ -60,6 +60,11 @@ impl Studio {
             Action::Rename(item) => {
                 self.model.settings.outliner = true;
                 self.model.renaming = Some(item);
+            }
+            Action::Explain(target) => {
+                self.model.explainer.aim(target);
+                self.model.settings.tab = Tab::Explain;
+                self.model.settings.tabs = true;
             }
             Action::EndRename => self.model.renaming = None,
             Action::ShowTab(tab) => {

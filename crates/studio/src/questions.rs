@@ -1,5 +1,6 @@
 //! What is asked for when a file is wanted: titles, proposed names, kinds of files.
 
+use crate::Exported;
 use crate::app::Studio;
 use crate::dialogs::Request;
 use lancer_document::open::MESH_EXTENSIONS;
@@ -17,7 +18,12 @@ pub(crate) enum Question {
     SaveViews,
     Mesh,
     Picture(Name, Format),
-    Text { name: String, text: String },
+    Text {
+        name: String,
+        text: String,
+    },
+    /// A document of 2009.
+    Export2009(Exported, String),
 }
 
 impl Studio {
@@ -64,6 +70,13 @@ impl Studio {
                 let extension = extension(*format);
                 let name = format!("{stem}-{view}.{extension}");
                 (words::save_picture_title(lang, view), true, name, vec![kind(words::pictures(lang), &[extension])])
+            }
+            Question::Export2009(what, _) => {
+                let name = match what {
+                    Exported::Scene => format!("{stem}-2009.xml"),
+                    Exported::Views => format!("{stem}-2009.view.xml"),
+                };
+                (words::export_2009_title(lang), true, name, vec![kind(words::texts(lang), &["xml"])])
             }
             Question::Text { name, .. } => {
                 let extension = Path::new(name).extension().map(|e| e.to_string_lossy().into_owned());

@@ -1,7 +1,7 @@
 //! Small pictures of materials: a ball on a floor, rendered beside the window and kept.
 
 use egui::{ColorImage, TextureHandle, TextureOptions};
-use lancer_render::{RenderOptions, render_still};
+use lancer_render::{RenderOptions, Tracing, render_still};
 use lancer_scene::{
     DVec3, Environment, List, MaterialRef, Object, Picture, PointLight, Rgb, Scene, ScreenSpec, Shape, Steps, Surface,
     View,
@@ -31,12 +31,12 @@ impl std::fmt::Debug for Swatches {
 
 impl Swatches {
     /// Swatches that wake the window when one is ready.
-    pub fn new(ctx: egui::Context) -> Swatches {
+    pub fn new(ctx: egui::Context, tracing: Tracing) -> Swatches {
         let (orders, inbox) = channel::<Surface>();
         let (results, done) = channel();
         std::thread::spawn(move || {
             for surface in inbox {
-                let Some(picture) = render(&surface) else { continue };
+                let Some(picture) = render(&surface, tracing) else { continue };
                 if results.send((surface, picture)).is_err() {
                     return;
                 }
@@ -71,7 +71,7 @@ impl Swatches {
 }
 
 /// A ball of the material above a two-coloured floor, lit from the left.
-fn render(surface: &Surface) -> Option<Picture> {
+fn render(surface: &Surface, tracing: Tracing) -> Option<Picture> {
     let plain = |gray: f64| {
         let surface = Surface { ka: Rgb::splat(gray * 0.5), kd: Rgb::splat(gray), ..Surface::default() };
         MaterialRef::Inline(Arc::new(surface))
@@ -108,7 +108,7 @@ fn render(surface: &Surface) -> Option<Picture> {
         depth: Some(8),
         steps: Steps::default(),
     };
-    let options = RenderOptions::default();
+    let options = RenderOptions { tracing, ..RenderOptions::default() };
     render_still(&World::compile(&scene), &view, &options, &Cancel::default(), |_, _| ())
         .ok()
         .map(|still| still.picture)
@@ -122,7 +122,8 @@ mod tests {
     #[test]
     fn a_swatch_shows_its_material() {
         let red = Surface { kd: Rgb::new(0.8, 0.1, 0.1), ka: Rgb::new(0.5, 0.0, 0.0), ..Surface::default() };
-        let (gray, red) = (render(&Surface::default()).unwrap(), render(&red).unwrap());
+        let render = |surface| render(surface, Tracing::default()).unwrap();
+        let (gray, red) = (render(&Surface::default()), render(&red));
         let [r, g, b] = red.pixel(SIDE / 2, SIDE / 2).unwrap();
         assert!(r > g && r > b, "{r} {g} {b}");
         let [r, g, b] = gray.pixel(SIDE / 2, SIDE / 2).unwrap();

@@ -1,9 +1,10 @@
 //! What the lower crates say, in the language of the window.
 
 use lancer_formats::{Describe, Problem};
-use lancer_render::{PixelFault, RenderError};
+use lancer_render::{PixelFault, RenderError, SimdError, Tracing};
 use lancer_scene::{EditError, Invalid};
-use lancer_words::{Lang, studio::app as words, studio::view};
+use lancer_trace::Simd;
+use lancer_words::{Lang, engine, studio::app as words, studio::view};
 
 /// A broken rule as a sentence without a full stop.
 pub fn rule(rule: &Invalid, lang: Lang) -> String {
@@ -30,6 +31,16 @@ pub fn render(error: &RenderError, lang: Lang) -> String {
         RenderError::Pixel { x, y, fault: PixelFault::NotFinite } => view::not_a_number(lang, x, y),
     };
     words::cannot_export(lang, cause)
+}
+
+/// Why the engine cannot be had with the instructions that were asked for, as a whole sentence.
+pub fn simd(error: &SimdError, lang: Lang) -> String {
+    let cause = match error {
+        SimdError::Unknown { name } => engine::unknown_simd(lang, Tracing::VARIABLE, name),
+        SimdError::Missing { simd } => engine::missing_simd(lang, Tracing::VARIABLE, simd.name()),
+    };
+    let available = Simd::ALL.into_iter().filter(|simd| simd.is_available()).map(Simd::name).collect::<Vec<_>>();
+    format!("{cause} ({}).", engine::available_simd(lang, available.join(", ")))
 }
 
 /// A sentence of a lower crate with its full stop.

@@ -28,6 +28,8 @@ const VIEWS: &str = r#"<views version="1">
 </views>
 "#;
 const SIZE: (u32, u32) = (1000, 700);
+/// How long anything may take: the machine may be slow, and busy with other tests.
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// Ends a program when the test does, however it does.
 struct Running(Child);
@@ -62,6 +64,24 @@ impl Display {
         String::from_utf8(output.stdout).unwrap().trim().to_owned()
     }
 
+    /// The window of a program, once it is seen.
+    fn window(&self, name: &str, program: &mut Child, log: &Path) -> String {
+        let begun = Instant::now();
+        loop {
+            let search = ["search", "--onlyvisible", "--name", name];
+            let output = Command::new("xdotool").args(search).env("DISPLAY", &self.name).output().unwrap();
+            if let Some(window) = String::from_utf8_lossy(&output.stdout).lines().next() {
+                return window.to_owned();
+            }
+            let said = || std::fs::read_to_string(log).unwrap_or_default();
+            if let Some(status) = program.try_wait().unwrap() {
+                panic!("the program ended without a window, {status}: {}", said());
+            }
+            assert!(begun.elapsed() < PATIENCE, "no window: {}", said());
+            std::thread::sleep(Duration::from_millis(100));
+        }
+    }
+
     fn shot(&self) -> Picture {
         let output = Command::new("import").args(["-window", "root", "ppm:-"]).env("DISPLAY", &self.name).output();
         picture::read(&output.unwrap().stdout).unwrap()
@@ -72,7 +92,7 @@ impl Display {
         let begun = Instant::now();
         let mut last = self.shot();
         loop {
-            assert!(begun.elapsed() < Duration::from_secs(120), "{what} never comes");
+            assert!(begun.elapsed() < PATIENCE, "{what} never comes");
             std::thread::sleep(Duration::from_millis(200));
             let shot = self.shot();
             if holds(&shot) && shot == last {
@@ -128,7 +148,10 @@ fn is_there(program: &str) -> bool {
 fn the_real_window_from_opening_to_saving() {
     if let Some(missing) = ["Xvfb", "xdotool", "import"].into_iter().find(|program| !is_there(program)) {
         let asked = std::env::var_os("LANCER_REAL_WINDOW").is_some();
-        assert!(!asked, "{missing} is not installed: apt install xvfb xdotool imagemagick libgl1");
+        assert!(
+            !asked,
+            "{missing} is not installed: apt install xvfb xdotool imagemagick libgl1 libgl1-mesa-dri libxkbcommon-x11-0"
+        );
         eprintln!("left out: {missing} is not installed");
         return;
     }
@@ -137,6 +160,7 @@ fn the_real_window_from_opening_to_saving() {
     std::fs::write(&scene, SCENE).unwrap();
     std::fs::write(&views, VIEWS).unwrap();
     let display = Display::start();
+    let log = folder.path().join("log");
     let studio = Command::new(env!("CARGO_BIN_EXE_lancer-studio"))
         .arg(&scene)
         .envs([("DISPLAY", display.name.as_str()), ("LANG", "C")])
@@ -144,11 +168,10 @@ fn the_real_window_from_opening_to_saving() {
         // no dialog of the system: the program's own one asks
         .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent")
         .env_remove("WAYLAND_DISPLAY")
-        .stderr(Stdio::null())
+        .stderr(std::fs::File::create(&log).unwrap())
         .spawn();
-    let _studio = Running(studio.unwrap());
-    let window = display.xdotool("search --sync --onlyvisible --name lancer");
-    let window = window.lines().next().unwrap();
+    let mut studio = Running(studio.unwrap());
+    let window = display.window("lancer", &mut studio.0, &log);
     display.xdotool(&format!("windowsize --sync {window} {} {}", SIZE.0, SIZE.1));
     display.xdotool(&format!("windowmove {window} 0 0"));
     display.xdotool(&format!("windowfocus {window}"));
@@ -166,7 +189,7 @@ fn the_real_window_from_opening_to_saving() {
     display.xdotool("mousedown 1");
     for _ in 0..8 {
         display.xdotool("mousemove_relative -- 4 -5");
-        std::thread::sleep(Duration::from_millis(60));
+        std::thread::sleep(Duration::from_millis(100));
     }
     display.xdotool("mouseup 1");
     let moved = |shot: &Picture| {
@@ -178,7 +201,7 @@ fn the_real_window_from_opening_to_saving() {
     display.xdotool("key ctrl+s");
     let begun = Instant::now();
     while center(&scene).is_none_or(|center| center[0] == 0.0) {
-        assert!(begun.elapsed() < Duration::from_secs(30), "the scene is not saved");
+        assert!(begun.elapsed() < PATIENCE, "the scene is not saved");
         std::thread::sleep(Duration::from_millis(100));
     }
     let [x, y, z] = center(&scene).unwrap();
@@ -201,7 +224,7 @@ fn the_real_window_from_opening_to_saving() {
     ppm::write_plain(&still, &mut due).unwrap();
     let begun = Instant::now();
     while !std::fs::read(&file).is_ok_and(|bytes| bytes == due) {
-        assert!(begun.elapsed() < Duration::from_secs(30), "the picture is not saved, or another one");
+        assert!(begun.elapsed() < PATIENCE, "the picture is not saved, or another one");
         std::thread::sleep(Duration::from_millis(100));
     }
 }

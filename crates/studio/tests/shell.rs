@@ -229,6 +229,53 @@ fn a_scene_is_opened_edited_and_saved() {
     assert_eq!(*again.stage(), saved);
 }
 
+/// Saved in the binary format, the scene and its views come back as they were.
+#[test]
+fn a_scene_saved_as_binary_is_reopened_equal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kept.lancer");
+    let mut window = Window::new(stage(), Lang::English);
+    window.menu("Add", "Cube");
+    window.dialogs.replies.borrow_mut().push_back(Reply::Chosen(path.clone()));
+    window.press(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.until("saved", |studio| !studio.document().is_modified());
+    let saved = window.stage().clone();
+    let mut again = Window::opening(lancer_studio::welcome::empty(), Lang::English, vec![path]);
+    again.until("the scene", |studio| studio.document().stage().scene.objects.len() == 4);
+    assert_eq!(*again.stage(), saved);
+}
+
+/// A file that lies on the window.
+#[derive(Debug)]
+struct Dropped(std::path::PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+#[test]
+fn files_dropped_on_the_window_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, mesh) = (folder.path().join("one.xml"), folder.path().join("flag.obj"));
+    write(&scene, SCENE);
+    write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let mut window = Window::new(stage(), Lang::English);
+    window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(scene)));
+    window.harness.step();
+    window.until("the scene", |studio| studio.document().stage().scene.name == "One ball");
+    // a mesh comes into the scene that is shown
+    window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(mesh)));
+    window.harness.step();
+    window.until("the mesh", |studio| studio.document().stage().scene.objects.len() == 2);
+    assert_eq!(window.stage().scene.name, "One ball");
+}
+
 #[test]
 fn a_broken_file_opens_the_problems_and_the_scene_stays() {
     let folder = tempfile::tempdir().unwrap();

@@ -15,7 +15,11 @@ pub(crate) fn roundings(points: &[DVec3]) -> f64 {
 /// lies in the plane of a facet, the hit is that very point.
 pub(crate) fn lies_in_plane(point: DVec3, p0: DVec3, p1: DVec3, p2: DVec3) -> bool {
     let (u, v) = (p1 - p0, p2 - p0);
-    (point - p0).dot(u.cross(v)).abs() <= roundings(&[point, p0, p1, p2]) * u.length() * v.length()
+    let volume = (point - p0).dot(u.cross(v)).abs();
+    let bound = roundings(&[point, p0, p1, p2]);
+    // no length exceeds the sum of its coordinates: most points are told apart without a root
+    volume <= bound * 1.000_001 * (u.abs().element_sum() * v.abs().element_sum())
+        && volume <= bound * u.length() * v.length()
 }
 
 /// Whether a point lies on a sphere.

@@ -1,5 +1,6 @@
 //! What the command-line program says: its help, its failures, its tables.
 
+pub mod bench;
 pub mod help;
 pub mod usage;
 
@@ -48,6 +49,16 @@ phrases! {
     same_output_help() {
         "rename one of them, or render them one at a time with --view",
         "renommez l'une d'elles, ou calculez-les une à une avec --view",
+    }
+    /// Adaptive samples of a view of one sample a pixel.
+    adaptive_of_one(view) {
+        "view `{view}` takes one sample a pixel, so --adaptive has none to add",
+        "la vue « {view} » prend un échantillon par pixel, donc --adaptive n'en a pas à ajouter",
+    }
+    /// What to do.
+    adaptive_of_one_help() {
+        "say how many with --samples, such as --samples 4",
+        "dites combien avec --samples, par exemple --samples 4",
     }
     /// A pixel costs too many rays.
     budget(view, x, y, limit) {
@@ -110,9 +121,16 @@ phrases! {
     /// Writing the picture.
     stage_write() { "write", "écriture" }
     /// Which picture.
-    picture_of(view, path, width, height, threads) {
-        "view `{view}` to {path}, {width}×{height}, {threads}",
-        "vue « {view} » dans {path}, {width}×{height}, {threads}",
+    picture_of(view, path, width, height, threads, engine) {
+        "view `{view}` to {path}, {width}×{height}, {threads}, engine {engine}",
+        "vue « {view} » dans {path}, {width}×{height}, {threads}, moteur {engine}",
+    }
+    /// Pixels that got all samples.
+    refined() { "refined", "affinés" }
+    /// What they are.
+    refined_pixels(total) {
+        "of {total} pixels: they differ from a neighbour and got all samples",
+        "sur {total} pixels : ils diffèrent d'un voisin et ont eu tous les échantillons",
     }
     /// All rays.
     rays_total() { "rays", "rayons" }

@@ -188,4 +188,18 @@ phrases! {
     pixel_color() { "colour of the pixel, c", "couleur du pixel, c" }
     /// The bytes.
     bytes() { "byte = floor(255·c + 0.5)", "octet = floor(255·c + 0.5)" }
+    /// What the engine computes for the same pixel.
+    engine_color() { "c of the engine", "c du moteur" }
+    /// What stands in a picture.
+    engine_bytes() { "byte of the engine", "octet du moteur" }
+    /// The engine's bytes differ as roundings may.
+    engine_rounds() {
+        "The engine's powers are rounded otherwise than the reference's, which are explained here, and here that moves a byte by 1. Pictures have the engine's byte; with --engine reference they have the other.",
+        "Les puissances du moteur ne sont pas arrondies comme celles de la référence, qui sont expliquées ici, et ici cela déplace un octet de 1. Les images ont l'octet du moteur ; avec --engine reference, elles ont l'autre.",
+    }
+    /// The engine's bytes differ as they must not.
+    engine_differs(most) {
+        "The engine's bytes differ by {most} from those explained here. This is a fault of lancer; please report it with the scene and the view. Pictures have the engine's bytes; with --engine reference they have the others.",
+        "Les octets du moteur diffèrent de {most} de ceux qui sont expliqués ici. C'est un défaut de lancer ; merci de le signaler avec la scène et la vue. Les images ont les octets du moteur ; avec --engine reference, elles ont les autres.",
+    }
 }

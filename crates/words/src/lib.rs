@@ -14,8 +14,10 @@
 mod phrases;
 
 pub mod arithmetic;
+pub mod attribute;
 pub mod binary;
 pub mod cli;
+pub mod engine;
 pub mod explain;
 pub mod file;
 mod lang;

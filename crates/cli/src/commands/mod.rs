@@ -1,5 +1,6 @@
 //! The commands, one file each: what its arguments are, and what it does with them.
 
+pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;

@@ -20,9 +20,6 @@ use std::time::Instant;
 /// Where the picture goes if nothing is said (subject §5.3).
 const OUTPUT: &str = "output.ppm";
 
-/// The most threads that can be asked for: far more than any machine has, far fewer than the system refuses.
-const MOST_THREADS: u64 = 1024;
-
 /// The arguments, which belong to the program itself.
 pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
     let mut arguments = vec![
@@ -34,8 +31,10 @@ pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
     ];
     arguments.extend(flags::view_changes(lang));
     arguments.extend([
+        flags::adaptive(lang),
         flags::region(lang),
-        flags::number("threads", lang, help::threads_help(lang), 1, MOST_THREADS),
+        flags::threads(lang),
+        flags::engine(lang),
         flags::max_rays(lang),
         flags::switch("binary", lang, help::binary_help(lang)),
         flags::option("stats", lang, help::stats_help(lang))
@@ -57,6 +56,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     if matches.get_flag("all-views") && target::is_standard(output) {
         return Err(Failure::AllViewsToStdout);
     }
+    let tracing = flags::tracing(matches)?;
     let format = Format::of_path(output, matches.get_flag("binary")).map_err(Failure::UnknownExtension)?;
 
     let started = Instant::now();
@@ -69,9 +69,11 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     let read = started.elapsed();
 
     let options = RenderOptions {
+        tracing,
         threads: flags::number_of(matches, "threads").and_then(NonZeroUsize::new),
         region: matches.get_one("region").copied(),
         max_rays: flags::number_of(matches, "max-rays"),
+        adaptive: matches.get_one("adaptive").copied(),
         keep_linear: format.is_linear(),
     };
     let views: Vec<View> = chosen.iter().map(|view| flags::changed_view(view, matches)).collect();
@@ -92,7 +94,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         let rendered = started.elapsed();
         let started = Instant::now();
         target::write(output, context, |out| picture::write(&still.picture, format, out))?;
-        stats.pictures.push(PictureStats::new(&view.name, output, &still, rendered, started.elapsed()));
+        stats.pictures.push(PictureStats::new(&view.name, output, &still, tracing, [rendered, started.elapsed()]));
     }
     tell(&stats, output, matches, &console)?;
     Ok(Exit::Done)
@@ -108,6 +110,9 @@ fn chosen(views: &Views, path: &Path, matches: &ArgMatches) -> Result<Vec<Arc<Vi
 /// Whether a view, as the command line has changed it, can be rendered.
 fn check(view: &View, options: &RenderOptions) -> Result<(), Failure> {
     view.check().map_err(|rule| Failure::ViewInvalid { view: view.name.clone(), rule })?;
+    if options.adaptive.is_some() && view.samples == 1 {
+        return Err(Failure::AdaptiveOfOne { view: view.name.clone() });
+    }
     match options.region.filter(|region| !region.lies_within(view.width, view.height)) {
         Some(region) => Err(Failure::RegionOutside { region, picture: PictureOf::new(view) }),
         None => Ok(()),

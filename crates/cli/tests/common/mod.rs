@@ -55,7 +55,7 @@ pub(crate) fn folder() -> TempDir {
 pub(crate) fn lancer(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(program());
     command.current_dir(folder).args(args).env_remove("LANGUAGE").env_remove("LC_ALL").env_remove("LC_MESSAGES");
-    command.env("LANG", "C.UTF-8").env("NO_COLOR", "1");
+    command.env("LANG", "C.UTF-8").env("NO_COLOR", "1").env_remove("LANCER_SIMD");
     command
 }
 

@@ -4,14 +4,15 @@
 //! [`crate::schedule`] for units and send what they computed to the session that wants it.
 
 use crate::schedule::{ViewState, next_unit, wake};
-use crate::{Region, Unit};
+use crate::tracing::PixelTracer;
+use crate::{Region, Tracing, Unit};
 use lancer_scene::{Invalid, Scene, View};
-use lancer_trace::{Camera, Cancel, RayCounts, Settings, TraceError, Tracer, World};
+use lancer_trace::{Camera, Cancel, RayCounts, Settings, TraceError, World};
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::JoinHandle;
+use std::thread::{self, JoinHandle};
 
 use super::Session;
 
@@ -57,16 +58,19 @@ pub(super) enum Order {
 /// What a session is told.
 pub(super) enum Message {
     /// A unit is done.
-    Unit { generation: u64, unit: Unit, colors: Vec<[u8; 3]>, counts: RayCounts, fault: Option<(u32, u32, TraceError)> },
+    Unit { generation: u64, unit: Unit, colors: Vec<[u8; 3]>, counts: RayCounts, fault: Option<Fault> },
     /// The scene is compiled.
     Compiled { world: Arc<World> },
     /// The view cannot be rendered.
     Refused { generation: u64, rule: Invalid },
 }
 
+/// A pixel without a colour: its column, its row, and why.
+pub(super) type Fault = (u32, u32, TraceError);
+
 /// What workers compute for a session.
 struct Task {
-    tracer: Tracer<Arc<World>>,
+    tracer: PixelTracer<Arc<World>>,
     cancel: Cancel,
     generation: u64,
     results: Sender<Message>,
@@ -101,20 +105,23 @@ impl Desk {
 
 impl Renderer {
     /// A pool of `threads` workers, or as many as the machine offers. `wake` is called whenever a session has news.
-    pub fn new(threads: Option<NonZeroUsize>, wake: impl Fn() + Send + Sync + 'static) -> Renderer {
+    ///
+    /// Threads that the system refuses to start are missing.
+    pub fn new(threads: Option<NonZeroUsize>, tracing: Tracing, wake: impl Fn() + Send + Sync + 'static) -> Renderer {
         let threads = threads.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
         let wake: Wake = Arc::new(wake);
         let desk = Arc::new(Desk { state: Mutex::default(), changed: Condvar::new() });
         let (orders, inbox) = channel();
         let manager = {
             let (desk, wake) = (Arc::clone(&desk), Arc::clone(&wake));
-            std::thread::spawn(move || manage(&inbox, &desk, &*wake))
+            thread::Builder::new().spawn(move || manage(&inbox, &desk, tracing, &*wake))
         };
         let workers = (0..threads).map(|_| {
             let (desk, wake) = (Arc::clone(&desk), Arc::clone(&wake));
-            std::thread::spawn(move || work(&desk, &*wake))
+            let worker = thread::Builder::new().stack_size(PixelTracer::<Arc<World>>::STACK);
+            worker.spawn(move || work(&desk, &*wake))
         });
-        let threads = workers.chain([manager]).collect();
+        let threads = workers.chain([manager]).filter_map(Result::ok).collect();
         Renderer { orders, threads, desk, next: 0 }
     }
 
@@ -146,7 +153,7 @@ impl Drop for Renderer {
 
 /// The manager: takes all orders that are there, then carries them out; of several starts of a session only the last
 /// one counts. The last world is kept, and the next one made from it.
-fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
+fn manage(inbox: &Receiver<Order>, desk: &Desk, tracing: Tracing, wake_window: &dyn Fn()) {
     let mut world = Arc::new(World::default());
     while let Ok(first) = inbox.recv() {
         let mut starts: BTreeMap<u64, (u64, Box<Job>, Cancel)> = BTreeMap::new();
@@ -204,7 +211,7 @@ fn manage(inbox: &Receiver<Order>, desk: &Desk, wake_window: &dyn Fn()) {
                     wake_window();
                 }
                 Ok(camera) => {
-                    let tracer = Tracer::new(Arc::clone(&world), &camera, settings, &cancel);
+                    let tracer = PixelTracer::new(tracing, Arc::clone(&world), &camera, settings, &cancel);
                     let results = state.seats[place].results.clone();
                     state.seats[place].task = Some(Arc::new(Task { tracer, cancel, generation, results }));
                     state.views[place].restart(view.width, view.height);
@@ -255,22 +262,30 @@ fn work(desk: &Desk, wake_window: &dyn Fn()) {
 /// What stands where a pixel has no colour: it cannot be overlooked.
 const FAULT: [u8; 3] = [255, 0, 255];
 
-/// The colours of a unit; `None` if it is not wanted any more. The flag is looked at before each pixel, and by the
-/// tracer within a pixel of many rays.
+/// The colours of a unit; `None` if it is not wanted any more.
 fn compute(task: &Task, unit: Unit) -> Option<Message> {
-    let (mut colors, mut counts, mut fault) = (Vec::new(), RayCounts::default(), None);
-    for (x, y) in unit.pixels() {
-        if task.cancel.is_cancelled() {
-            return None;
-        }
-        match task.tracer.pixel(x, y, &mut counts) {
+    let mut pixels = Vec::new();
+    unit.pixels().for_each(|pixel| pixels.push(pixel));
+    let (mut colors, mut counts, mut fault) = (Vec::with_capacity(pixels.len()), RayCounts::default(), None);
+    task.tracer.pixels(
+        &pixels,
+        &mut counts,
+        |_| true,
+        |(x, y), color| match color {
             Ok(color) => colors.push(color.to_bytes()),
-            Err(TraceError::Cancelled) => return None,
-            Err(error @ (TraceError::Budget { .. } | TraceError::NotFinite)) => {
-                fault = fault.or(Some((x, y, error)));
+            Err(error) => {
+                fault = first_in_row_order(fault, Some((x, y, error)));
                 colors.push(FAULT);
             }
-        }
-    }
+        },
+    )?;
     Some(Message::Unit { generation: task.generation, unit, colors, counts, fault })
+}
+
+/// Of two pixels without a colour the one that stands first.
+pub(super) fn first_in_row_order(a: Option<Fault>, b: Option<Fault>) -> Option<Fault> {
+    match (a, b) {
+        (Some(a), Some(b)) if (b.1, b.0) < (a.1, a.0) => Some(b),
+        (a, b) => a.or(b),
+    }
 }

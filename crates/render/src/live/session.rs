@@ -1,7 +1,7 @@
 //! One live picture as its window sees it.
 
 use super::LiveImage;
-use super::pool::{Job, Message, Order};
+use super::pool::{Job, Message, Order, first_in_row_order};
 use crate::Region;
 use lancer_scene::Invalid;
 use lancer_trace::{Cancel, RayCounts, TraceError, World};
@@ -91,10 +91,7 @@ impl Session {
                 Message::Unit { generation, unit, colors, counts, fault } if generation == self.generation => {
                     self.image.take(&unit, &colors);
                     self.status.counts += counts;
-                    self.status.fault = match (self.status.fault, fault) {
-                        (Some(known), Some(new)) if (new.1, new.0) < (known.1, known.0) => Some(new),
-                        (known, new) => known.or(new),
-                    };
+                    self.status.fault = first_in_row_order(self.status.fault, fault);
                     self.status.elapsed = self.begun.map_or(Duration::ZERO, |begun| begun.elapsed());
                     if !self.image.is_stale() && self.status.first_complete.is_none() {
                         self.status.first_complete = Some(self.status.elapsed);

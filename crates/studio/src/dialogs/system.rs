@@ -1,11 +1,30 @@
 //! The system's dialogs, each on a thread of its own, so that the window goes on.
 
 use super::{Dialogs, Reply, Request};
+use std::path::Path;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 /// A dialog that gives nothing within this time was never seen: without a desktop portal nothing else can be told.
-const NEVER_SEEN: Duration = Duration::from_millis(300);
+const NEVER_SEEN: Duration = Duration::from_millis(500);
+
+/// Whether there is a session bus, without which no desktop portal answers. How long it takes to find out otherwise
+/// depends on how busy the machine is.
+fn has_bus() -> bool {
+    if !cfg!(target_os = "linux") {
+        return true;
+    }
+    match std::env::var("DBUS_SESSION_BUS_ADDRESS") {
+        Ok(address) if !address.is_empty() => address.split([';', ',', ':']).any(|part| match part.split_once('=') {
+            Some(("path", path)) => Path::new(path).exists(),
+            Some(("abstract" | "tmpdir" | "runtime" | "host", _)) => true,
+            Some(_) | None => false,
+        }),
+        Ok(_) | Err(_) => {
+            std::env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).join("bus").exists())
+        }
+    }
+}
 
 /// The system's dialogs.
 pub struct SystemDialogs {
@@ -30,6 +49,12 @@ impl Dialogs for SystemDialogs {
     fn ask(&mut self, request: &Request) {
         let (answer, reply) = channel();
         self.reply = Some(reply);
+        if !has_bus() {
+            // the receiver is ours
+            let _ = answer.send(Reply::Unavailable);
+            self.ctx.request_repaint();
+            return;
+        }
         let (request, ctx) = (request.clone(), self.ctx.clone());
         std::thread::spawn(move || {
             let mut dialog = rfd::FileDialog::new().set_title(&request.title);

@@ -1,55 +1,69 @@
 //! A long text: made beside the window whenever the document changed, shown line by line as far as it is seen.
 
+use crate::beside::Beside;
 use crate::{Action, Context, FileAction};
 use egui::{Id, RichText, ScrollArea, TextStyle, Ui};
 use lancer_document::Document;
-use lancer_scene::Stage;
 use lancer_words::{Lang, studio::panels as words};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Characters of a line that are shown; a mesh's line can hold millions.
 const SHOWN: usize = 400;
 
-/// A text and what it was made of.
-#[derive(Default)]
+/// A text with the first byte of each line.
+#[derive(Debug)]
 struct Made {
-    of: Option<(u64, Lang)>,
-    text: Arc<str>,
-    /// The first byte of each line.
-    starts: Arc<Vec<usize>>,
-    coming: Option<((u64, Lang), Receiver<String>)>,
+    text: String,
+    starts: Vec<usize>,
 }
 
-/// Shows the text that `make` makes of the document, with buttons to copy and to save it.
+impl Made {
+    fn new(text: String) -> Made {
+        let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(place, _)| place + 1)).collect();
+        Made { text, starts }
+    }
+}
+
+/// What a text is made of: the revision of the document, and the language.
+type Of = (u64, Lang);
+
+/// Shows the text that `make` makes of the document, with buttons to copy and to save it, after `more`.
 pub(super) fn show(
     ui: &mut Ui,
     context: &Context<'_>,
     file_name: &str,
-    make: fn(&Stage, Lang) -> String,
+    make: fn(&Document, Lang) -> String,
+    more: impl FnOnce(&mut Ui),
 ) -> Vec<Action> {
     let id = Id::unique(("lines", file_name));
-    let made = ui.data_mut(|data| Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Made>>>(id)));
-    let mut made = made.lock().unwrap_or_else(PoisonError::into_inner);
-    update(&mut made, ui, context.document, context.lang, make);
-    let mut actions = Vec::new();
+    let beside = ui.data_mut(|data| Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Beside<Of, Arc<Made>>>>>(id)));
+    let mut beside = beside.lock().unwrap_or_else(PoisonError::into_inner);
     let lang = context.lang;
+    let wanted = (context.document.revision(), lang);
+    if !beside.is_of(&wanted) {
+        let document = context.document.clone();
+        beside.follow(ui.ctx(), &wanted, move || Arc::new(Made::new(make(&document, lang))));
+    }
+    let made = beside.get().map(Arc::clone);
+    let text = || made.as_ref().map(|made| made.text.clone()).unwrap_or_default();
+    let mut actions = Vec::new();
     ui.horizontal(|ui| {
+        more(ui);
         if ui.button(words::copy(lang)).clicked() {
-            actions.push(Action::CopyText(made.text.to_string()));
+            actions.push(Action::CopyText(text()));
         }
         if ui.button(words::save_text(lang)).clicked() {
-            let text = made.text.to_string();
-            actions.push(Action::File(FileAction::SaveText { name: file_name.to_owned(), text }));
+            actions.push(Action::File(FileAction::SaveText { name: file_name.to_owned(), text: text() }));
         }
-        if made.of.is_none() {
+        if made.is_none() {
             ui.label(RichText::new(words::preparing(lang)).weak());
         }
     });
+    let Some(made) = made else { return actions };
     let height = ui.text_style_height(&TextStyle::Monospace);
     ui.spacing_mut().item_spacing.y = 2.0;
-    let (text, starts) = (Arc::clone(&made.text), Arc::clone(&made.starts));
-    ScrollArea::both().auto_shrink(false).show_rows(ui, height, starts.len(), |ui, seen| {
+    let (text, starts) = (&made.text, &made.starts);
+    ScrollArea::both().id_salt(file_name).auto_shrink(false).show_rows(ui, height, starts.len(), |ui, seen| {
         for line in seen {
             let end = starts.get(line + 1).map_or(text.len(), |next| next - 1);
             let line = starts.get(line).and_then(|start| text.get(*start..end)).unwrap_or_default();
@@ -57,34 +71,6 @@ pub(super) fn show(
         }
     });
     actions
-}
-
-/// Takes a text that is ready, and asks for a new one if the document changed.
-fn update(made: &mut Made, ui: &Ui, document: &Document, lang: Lang, make: fn(&Stage, Lang) -> String) {
-    let wanted = (document.revision(), lang);
-    if let Some((of, receiver)) = &made.coming {
-        match receiver.try_recv() {
-            Ok(text) => {
-                made.starts =
-                    Arc::new(std::iter::once(0).chain(text.match_indices('\n').map(|(place, _)| place + 1)).collect());
-                made.text = text.into();
-                made.of = Some(*of);
-                made.coming = None;
-            }
-            Err(TryRecvError::Empty) => return,
-            Err(TryRecvError::Disconnected) => made.coming = None,
-        }
-    }
-    if made.of != Some(wanted) {
-        let (sender, receiver) = channel();
-        let (stage, ctx) = (document.stage().clone(), ui.ctx().clone());
-        std::thread::spawn(move || {
-            // a panel that is gone wants no text
-            let _ = sender.send(make(&stage, lang));
-            ctx.request_repaint();
-        });
-        made.coming = Some((wanted, receiver));
-    }
 }
 
 /// The beginning of a long line, and how much is not shown.

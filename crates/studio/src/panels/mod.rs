@@ -1,5 +1,6 @@
 //! The panels: each is a function of what it may read, and returns what the user wants.
 
+pub mod explain;
 pub mod history;
 mod lines;
 pub mod outliner;

@@ -1,15 +1,15 @@
 //! The scene as a list: world, lamps, objects, materials, views; to select, add, rename, copy, delete, reorder, hide and
 //! filter. Only the rows that are seen are made, so a scene of ten thousand objects scrolls as lightly as one of ten.
 
-use crate::chrome::{icon_button, named};
+use crate::chrome::{SMALL, icon_menu, small_icon_button as icon_button};
+use crate::kind::Kind;
 use crate::toasts::Toast;
 use crate::widgets::{line, preset_list, swatch};
 use crate::{Action, Context, FileAction, ViewAction};
-use egui::{Id, Key, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
+use egui::{Id, Key, Response, RichText, ScrollArea, TextEdit, Ui, WidgetInfo};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{
-    ICON_ADD, ICON_CHANGE_HISTORY, ICON_CIRCLE, ICON_CLOSE, ICON_DEPLOYED_CODE, ICON_HEXAGON, ICON_LIGHTBULB,
-    ICON_PUBLIC, ICON_SEARCH, ICON_SQUARE, ICON_VIDEOCAM, ICON_VIEW_IN_AR, ICON_VISIBILITY, ICON_VISIBILITY_OFF,
+    ICON_ADD, ICON_CLOSE, ICON_PUBLIC, ICON_SEARCH, ICON_VISIBILITY, ICON_VISIBILITY_OFF,
 };
 use lancer_document::insert::{NewItem, Standpoint, added};
 use lancer_document::{Command, Item, Selection, arrange};
@@ -140,12 +140,12 @@ fn head(ui: &mut Ui, context: &Context<'_>, section: Section, actions: &mut Vec<
                 }
             }
             Section::Objects => {
-                let menu = ui.menu_button(ICON_ADD.rich_text().size(18.0), |ui| object_menu(ui, context, actions));
-                named(menu.response, Role::Button, None, &add);
+                icon_menu(ui, ICON_ADD, SMALL, &add, |ui| object_menu(ui, context, actions));
             }
             Section::Materials => {
-                let menu = ui.menu_button(ICON_ADD.rich_text().size(18.0), |ui| {
+                icon_menu(ui, ICON_ADD, SMALL, &add, |ui| {
                     if ui.button(words::plain_material(lang)).clicked() {
+                        ui.close();
                         let item = NewItem::Material { stem: String::new(), surface: Surface::default() };
                         insert(context, item, actions);
                     }
@@ -155,7 +155,6 @@ fn head(ui: &mut Ui, context: &Context<'_>, section: Section, actions: &mut Vec<
                         insert(context, item, actions);
                     }
                 });
-                named(menu.response, Role::Button, None, &add);
             }
         });
     });
@@ -165,19 +164,19 @@ fn head(ui: &mut Ui, context: &Context<'_>, section: Section, actions: &mut Vec<
 pub(crate) fn object_menu(ui: &mut Ui, context: &Context<'_>, actions: &mut Vec<Action>) {
     let lang = context.lang;
     let kinds = [
-        (ICON_CIRCLE, words::sphere(lang), NewItem::Sphere),
-        (ICON_SQUARE, words::plane(lang), NewItem::Plane),
-        (ICON_DEPLOYED_CODE, words::cube(lang), NewItem::Cube),
-        (ICON_VIEW_IN_AR, words::parallelepiped(lang), NewItem::Parallelepiped),
-        (ICON_CHANGE_HISTORY, words::facet(lang), NewItem::Facet),
+        (Kind::Sphere, words::sphere(lang), NewItem::Sphere),
+        (Kind::Plane, words::plane(lang), NewItem::Plane),
+        (Kind::Cube, words::cube(lang), NewItem::Cube),
+        (Kind::Parallelepiped, words::parallelepiped(lang), NewItem::Parallelepiped),
+        (Kind::Facet, words::facet(lang), NewItem::Facet),
     ];
-    for (icon, name, item) in kinds {
-        if ui.button((icon.rich_text(), name)).clicked() {
+    for (kind, name, item) in kinds {
+        if ui.button((kind.icon().rich_text().size(16.0), name)).clicked() {
             insert(context, item, actions);
             ui.close();
         }
     }
-    if ui.button((ICON_HEXAGON.rich_text(), words::mesh(lang))).clicked() {
+    if ui.button((Kind::Mesh.icon().rich_text().size(16.0), words::mesh(lang))).clicked() {
         actions.push(Action::File(FileAction::AddMesh));
         ui.close();
     }
@@ -203,16 +202,16 @@ fn command(command: Command, actions: &mut Vec<Action>) {
 fn icon(stage: &Stage, item: &Item) -> MaterialIcon {
     match item {
         Item::World => ICON_PUBLIC,
-        Item::Light(_) => ICON_LIGHTBULB,
-        Item::Material(_) => ICON_CIRCLE,
-        Item::View(_) => ICON_VIDEOCAM,
+        Item::Light(_) => Kind::Light.icon(),
+        Item::Material(_) => Kind::Material.icon(),
+        Item::View(_) => Kind::View.icon(),
         Item::Object(_) => match item.place(stage).and_then(|place| stage.scene.objects.get(place)).map(|o| &o.shape) {
-            Some(Shape::Sphere { .. }) | None => ICON_CIRCLE,
-            Some(Shape::Plane { .. }) => ICON_SQUARE,
-            Some(Shape::Facet { .. }) => ICON_CHANGE_HISTORY,
-            Some(Shape::Cube { .. }) => ICON_DEPLOYED_CODE,
-            Some(Shape::Parallelepiped { .. }) => ICON_VIEW_IN_AR,
-            Some(Shape::Mesh(_)) => ICON_HEXAGON,
+            Some(Shape::Sphere { .. }) | None => Kind::Sphere.icon(),
+            Some(Shape::Plane { .. }) => Kind::Plane.icon(),
+            Some(Shape::Facet { .. }) => Kind::Facet.icon(),
+            Some(Shape::Cube { .. }) => Kind::Cube.icon(),
+            Some(Shape::Parallelepiped { .. }) => Kind::Parallelepiped.icon(),
+            Some(Shape::Mesh(_)) => Kind::Mesh.icon(),
         },
     }
 }
@@ -237,7 +236,7 @@ fn item_row(ui: &mut Ui, context: &Context<'_>, item: &Item, actions: &mut Vec<A
         if item.name().is_some() {
             ui.add_space(8.0);
         }
-        let eye_room = if shown.is_some() { 40.0 } else { 0.0 };
+        let eye_room = if shown.is_some() { SMALL + 8.0 } else { 2.0 };
         let response = label(ui, context, item, &name, shown == Some(false), eye_room);
         select(ui, context, item, &response, actions);
         reorder(context, item, &response, actions);
@@ -261,15 +260,19 @@ fn label(ui: &mut Ui, context: &Context<'_>, item: &Item, name: &str, faint: boo
     if let Item::Material(material) = item
         && let Some(material) = stage.scene.material(material)
     {
-        swatch(ui, context, &material.surface);
+        swatch(ui, context, &material.surface, 18.0);
     } else {
         let color = if faint { context.palette.line } else { context.palette.weak };
-        ui.label(icon(stage, item).rich_text().size(16.0).color(color));
+
+        let (rect, _) = ui.allocate_exact_size(egui::vec2(18.0, SMALL), egui::Sense::hover());
+        let icon = icon(stage, item);
+        let font = egui::FontId::new(16.0, icon.font_family());
+        ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, icon.codepoint, font, color);
     }
     let text = RichText::new(name);
     let text = if faint { text.weak().italics() } else { text };
     let selected = context.document.selection().contains(item);
-    let size = egui::vec2((ui.available_width() - room).max(40.0), 22.0);
+    let size = egui::vec2((ui.available_width() - room).max(40.0), SMALL);
     line(ui, size, selected, name, text)
 }
 

@@ -1,5 +1,6 @@
 //! What is wrong: what was found in the files that were opened, and what lint finds in the scene as it is.
 
+use crate::beside::Beside;
 use crate::{Action, Context};
 use egui::{Color32, Id, RichText, ScrollArea, Ui};
 use egui_material_icons::MaterialIcon;
@@ -8,13 +9,13 @@ use lancer_document::{Item, Selection};
 use lancer_formats::{Describe, Severity};
 use lancer_scene::{Finding, NameKind, Weight, lint};
 use lancer_words::studio::panels as words;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Shows the panel; gives what the user wants.
 pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     let mut actions = Vec::new();
     let (lang, palette) = (context.lang, context.palette);
-    let findings = findings(ui, context);
+    let (findings, current) = findings(ui, context);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let mut nothing = true;
         for report in context.reports {
@@ -55,7 +56,9 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
                 }
             });
         }
-        if nothing {
+        if nothing && !current {
+            ui.label(RichText::new(words::looking(lang)).weak());
+        } else if nothing {
             ui.horizontal(|ui| {
                 ui.label(ICON_CHECK_CIRCLE.rich_text().color(palette.success));
                 ui.label(words::no_problems(lang));
@@ -65,20 +68,19 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
     actions
 }
 
-/// What lint finds, found again when the document changed.
-fn findings(ui: &Ui, context: &Context<'_>) -> Arc<Vec<Finding>> {
+/// What lint finds, found again beside the window when the document has changed; and whether that is of the document
+/// as it is now.
+fn findings(ui: &Ui, context: &Context<'_>) -> (Arc<Vec<Finding>>, bool) {
     let id = Id::unique("findings");
+    let beside =
+        ui.data_mut(|data| Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Beside<u64, Arc<Vec<Finding>>>>>>(id)));
+    let mut beside = beside.lock().unwrap_or_else(PoisonError::into_inner);
     let revision = context.document.revision();
-    let known = ui.data(|data| data.get_temp::<(u64, Arc<Vec<Finding>>)>(id));
-    match known {
-        Some((of, findings)) if of == revision || context.document.in_gesture() => findings,
-        Some(_) | None => {
-            let stage = context.document.stage();
-            let findings = Arc::new(lint(&stage.scene, &stage.views));
-            ui.data_mut(|data| data.insert_temp(id, (revision, Arc::clone(&findings))));
-            findings
-        }
+    if !context.document.in_gesture() && !beside.is_of(&revision) {
+        let stage = context.document.stage().clone();
+        beside.follow(ui.ctx(), &revision, move || Arc::new(lint(&stage.scene, &stage.views)));
     }
+    (beside.get().map(Arc::clone).unwrap_or_default(), beside.is_of(&revision))
 }
 
 /// One problem: its icon, its sentence, the way out, and what belongs to it.

@@ -17,7 +17,7 @@ use lancer_words::{number, studio::panels as words};
 use std::sync::Arc;
 
 /// The width of the column of names.
-const NAMES: f32 = 92.0;
+const NAMES: f32 = 78.0;
 
 /// Shows the panel; gives what the user wants.
 pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
@@ -92,9 +92,26 @@ impl Sheet<'_, '_> {
         }
         self.heading(ui, &words::material(self.context.lang));
         self.material_of(ui, &object);
-        if matches!(object.material, MaterialRef::Inline(_)) {
-            self.fields(ui, &vocabulary::MATERIAL, Home::Inline);
+        match &object.material {
+            MaterialRef::Inline(_) => self.fields(ui, &vocabulary::MATERIAL, Home::Inline),
+            MaterialRef::Named(name) => self.shared_material(ui, name),
+            MaterialRef::Default => {}
         }
+    }
+
+    /// The material that an object shares with others, where it stands; with how many.
+    fn shared_material(&mut self, ui: &mut Ui, name: &Name) {
+        let lang = self.context.lang;
+        let uses = |object: &Arc<Object>| object.material_refs().any(|material| material.name() == Some(name));
+        let users = self.stage().scene.objects.iter().filter(|object| uses(object)).count();
+        if users > 1 {
+            ui.label(RichText::new(words::shared(lang, users)).weak().small());
+        }
+        let item = Item::Material(name.clone());
+        let mut sheet =
+            Sheet { context: self.context, item: &item, actions: &mut *self.actions, refused: self.refused.take() };
+        sheet.fields(ui, &vocabulary::MATERIAL, Home::Item);
+        self.refused = sheet.refused;
     }
 
     /// What a mesh is made of; its vertices are edited in its file or in the document's text.
@@ -142,8 +159,9 @@ impl Sheet<'_, '_> {
         let Some(choice) = choice else { return };
         let step = attribute::set(self.item, "material");
         let stage = self.stage();
-        let put =
-            |reference: MaterialRef| attribute::edit_object(stage, &object.name, |object| object.material = reference);
+        let put = |reference: MaterialRef| {
+            attribute::edit_object(stage, &object.name, |object| attribute::set_material(object, reference))
+        };
         match choice {
             MaterialChoice::New(preset) => {
                 let surface = preset.map_or_else(|| stage.scene.surface(&object.material), presets::Preset::surface);
@@ -166,7 +184,7 @@ impl Sheet<'_, '_> {
         self.name(ui);
         let lang = self.context.lang;
         ui.horizontal(|ui| {
-            widgets::swatch(ui, self.context, &material.surface);
+            widgets::swatch(ui, self.context, &material.surface, 24.0);
             let chosen =
                 ui.menu_button(words::apply_preset(lang), |ui| widgets::preset_list(ui, self.context)).inner.flatten();
             if let Some(preset) = chosen {
@@ -269,9 +287,10 @@ impl Sheet<'_, '_> {
         let lang = self.context.lang;
         let default = fields::default(self.item, home, attribute.name).filter(|default| *default != value);
         let hint = hint(rule, attribute, lang);
+        let label = lancer_words::attribute::label(lang, rule.name, attribute.name);
         let mut refused = self.refused.take();
         let change = self
-            .row(ui, attribute.name, &hint, default, |ui, id| widget(ui, id, &value, attribute, lang, &mut refused));
+            .row(ui, label, &hint, default, |ui, id| widget(ui, id, &value, (attribute, label), lang, &mut refused));
         self.refused = refused;
         self.carry_out(attribute.name, home, change);
     }
@@ -297,14 +316,13 @@ impl Sheet<'_, '_> {
                 if hint.is_empty() { response } else { response.on_hover_text(hint) }
             });
             drop(name);
-            let reset_width = 24.0;
+            let reset_width = 20.0;
             let reset = ui.allocate_ui_with_layout(egui::vec2(reset_width, size.y), layout, |ui| {
                 ui.set_min_size(egui::vec2(reset_width, size.y));
                 default.and_then(|default| {
                     let name = words::reset(lang, label);
-                    let icon = ICON_RESTART_ALT.rich_text().size(14.0).color(self.context.palette.weak);
-                    let button = egui::Button::new(icon).frame_when_inactive(false);
-                    crate::chrome::named(ui.add(button), egui::Role::Button, None, &name).clicked().then_some(default)
+                    let clicked = crate::chrome::small_icon_button(ui, ICON_RESTART_ALT, &name).clicked();
+                    clicked.then_some(default)
                 })
             });
             let change = ui.scope(|ui| widget(ui, id)).inner;
@@ -364,7 +382,8 @@ fn new_material(stage: &Stage, stem: &str, bare: bool, surface: Surface) -> Mate
 fn hint(rule: &ElementRule, attribute: &AttributeRule, lang: lancer_words::Lang) -> String {
     let mut lines = Vec::new();
     let sentence = (attribute.sentence)(lang);
-    lines.push(if attribute.term.is_empty() { sentence } else { format!("{}: {sentence}", attribute.term) });
+    let term = if attribute.term.is_empty() { attribute.name } else { attribute.term };
+    lines.push(words::meaning(lang, term, sentence));
     if let Some((least, greatest)) = range(attribute.kind) {
         lines.push(words::range(lang, least, greatest));
     }
@@ -401,11 +420,10 @@ fn widget(
     ui: &mut Ui,
     id: Id,
     value: &Value,
-    attribute: &'static AttributeRule,
+    (attribute, name): (&'static AttributeRule, &str),
     lang: lancer_words::Lang,
     refused: &mut Option<NumberError>,
 ) -> Change<Value> {
-    let name = attribute.name;
     let (least, greatest) = range(attribute.kind).unwrap_or((-limits::COORDINATE, limits::COORDINATE));
     let width = ui.available_width();
     let number =
@@ -431,7 +449,7 @@ fn widget(
             widgets::number(ui, *number_, &number(speed, false), refused).map(Value::Number)
         }
         Value::Point(point) => {
-            let speed = if name == "rotation" { 0.5 } else { 0.01 };
+            let speed = if attribute.name == "rotation" { 0.5 } else { 0.01 };
             widgets::point(ui, id, *point, name, speed, refused).map(Value::Point)
         }
         Value::Size(size) => widgets::size(ui, id, *size, name, 0.01, refused).map(Value::Size),
@@ -443,6 +461,9 @@ fn widget(
                     let new = widgets::point(ui, id.with(place), corners[place], &name, 0.01, refused).map(|point| {
                         let mut corners = *corners;
                         corners[place] = point;
+                        // the opposite corner follows: a screen is a parallelogram
+                        let [before, after] = [corners[(place + 3) % 4], corners[(place + 1) % 4]];
+                        corners[(place + 2) % 4] = before + after - point;
                         Value::Corners(corners)
                     });
                     change = std::mem::replace(&mut change, Change::Kept).or(new);
@@ -452,12 +473,13 @@ fn widget(
         }
         Value::Color(color) => widgets::color(ui, id, *color, &triple(0.004), refused).map(Value::Color),
         Value::Channels(channels) => {
-            let speed = if name == "n" { 0.5 } else { 0.005 };
+            let speed = if attribute.name == "n" { 0.5 } else { 0.005 };
             widgets::channels(ui, id, *channels, &triple(speed), refused).map(Value::Channels)
         }
         Value::Choice(place) => {
             let Kind::Choice(words) = attribute.kind else { return Change::Kept };
-            let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+            let words: Vec<String> =
+                words.iter().map(|word| lancer_words::attribute::choice(lang, word).to_owned()).collect();
             widgets::choice(ui, id, *place, &words, name).map(Value::Choice)
         }
         Value::Steps(steps) => widgets::steps(ui, *steps, lang).map(Value::Steps),

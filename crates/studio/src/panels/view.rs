@@ -1,7 +1,8 @@
 //! A pane: the live picture of a view, what the pointer does in it, and the line below it.
 
+use crate::explainer::Target;
 use crate::view::{self, Gesture, LiveView, Mapping, Picker, Purpose, Scope};
-use crate::{Action, Context, ViewAction};
+use crate::{Action, Context, Tab, ViewAction};
 use egui::{Align2, FontId, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 use lancer_document::wireframe::Wireframes;
 use lancer_document::{Document, Item, Selection};
@@ -52,6 +53,11 @@ pub fn show(
     } else if let (Some((point, purpose)), Some(world)) = (question(ui, &response, live, &mapping, pointer), &world) {
         tools.picker.ask(world, view, point, purpose);
     }
+    if let Some(place) = pointer.filter(|_| response.clicked() && explains(context)) {
+        let pixel = mapping.pixel(place, live.size());
+        let target = pixel.map(|pixel| Target::of_pixel(view.name.clone(), pixel, live.size()));
+        actions.extend(target.map(Action::Explain));
+    }
     if live.marking || live.gesture.is_some() && response.dragged_by(PointerButton::Primary) {
         ui.ctx().set_cursor_icon(if live.marking { egui::CursorIcon::Crosshair } else { egui::CursorIcon::Grabbing });
     }
@@ -59,6 +65,9 @@ pub fn show(
     view::draw(&painter, &scope, live.gesture.as_ref(), live.grid, tools.wireframes);
     if let Some(region) = live.region() {
         view::rectangle(&painter, mapping.region_rect(region, live.size()), context.palette);
+    }
+    if let Some(target) = context.explainer.target().filter(|target| explains(context) && target.view == view.name) {
+        view::explained(&painter, &scope.mapping, target.pixel(live.size()), live.size(), context.palette);
     }
     view::hint(&painter, area, live.gesture.as_ref(), live.marking, context.lang);
     view::footer(ui, line, live, &scope, pointer);
@@ -71,6 +80,11 @@ pub fn show(
         ui.painter().rect_stroke(whole, 0.0, stroke, egui::StrokeKind::Inside);
     }
     actions
+}
+
+/// Whether a click explains a pixel.
+fn explains(context: &Context<'_>) -> bool {
+    context.settings.tabs && context.settings.tab == Tab::Explain
 }
 
 /// What is selected after a click on something or on nothing.

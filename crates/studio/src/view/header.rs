@@ -2,7 +2,7 @@
 
 use super::live::LiveView;
 use crate::bars::sign_text;
-use crate::chrome::{icon_menu, icon_switch};
+use crate::chrome::{SIDE, icon_menu, icon_switch};
 use crate::entry::Entry;
 use crate::{Action, Context, ViewAction};
 use egui::{Button, RichText, Role, Ui, WidgetInfo};
@@ -23,6 +23,9 @@ const FORMATS: [(Format, &str); 6] = [
     (Format::Exr, "OpenEXR"),
 ];
 
+/// In a bar that is narrower, everything stands in one menu, so that the title has room.
+const ROOMY: f32 = 200.0;
+
 /// The sizes that are offered.
 const SIZES: [[u32; 2]; 6] = [[320, 240], [640, 480], [800, 600], [1280, 720], [1920, 1080], [3840, 2160]];
 
@@ -31,12 +34,26 @@ pub fn header(ui: &mut Ui, context: &Context<'_>, live: &LiveView, view: &View) 
     let (lang, name) = (context.lang, &view.name);
     let mut actions = Vec::new();
     ui.spacing_mut().item_spacing.x = 2.0;
-    icon_menu(ui, icon::ICON_MORE_VERT, &words::more_of(lang, name), |ui| more(ui, context, live, view, &mut actions));
-    icon_menu(ui, icon::ICON_IMAGE, &words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
-    icon_menu(ui, icon::ICON_TUNE, &words::picture_settings_of(lang, name), |ui| {
+    let narrow = ui.available_width() < ROOMY;
+    icon_menu(ui, icon::ICON_MORE_VERT, SIDE, &words::more_of(lang, name), |ui| {
+        if narrow {
+            ui.menu_button(words::steps_of(lang, name), |ui| steps(ui, context, view, &mut actions));
+            ui.menu_button(words::picture_settings_of(lang, name), |ui| {
+                picture(ui, context, live, view, &mut actions);
+            });
+            ui.menu_button(words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
+            ui.separator();
+        }
+        more(ui, context, live, view, &mut actions);
+    });
+    if narrow {
+        return actions;
+    }
+    icon_menu(ui, icon::ICON_IMAGE, SIDE, &words::save_of(lang, name), |ui| pictures(ui, context, view, &mut actions));
+    icon_menu(ui, icon::ICON_TUNE, SIDE, &words::picture_settings_of(lang, name), |ui| {
         picture(ui, context, live, view, &mut actions);
     });
-    icon_menu(ui, icon::ICON_LAYERS, &words::steps_of(lang, name), |ui| steps(ui, context, view, &mut actions));
+    icon_menu(ui, icon::ICON_LAYERS, SIDE, &words::steps_of(lang, name), |ui| steps(ui, context, view, &mut actions));
     let paused = live.session().status().paused;
     let (sign, text) = match paused {
         true => (icon::ICON_PLAY_ARROW, menu::resume(lang)),

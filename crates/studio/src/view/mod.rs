@@ -16,4 +16,4 @@ pub use picker::{Answer, Picker, Purpose};
 
 pub(crate) use footer::{HEIGHT as FOOTER, footer};
 pub(crate) use gesture::{Scope, follow};
-pub(crate) use overlay::{draw, hint, rectangle};
+pub(crate) use overlay::{draw, explained, hint, rectangle};

@@ -1,11 +1,13 @@
 //! What is drawn over a picture: outlines of what is selected, grid and axes, the axis of a movement, a rectangle.
 
 use super::gesture::{Gesture, Scope};
+use super::mapping::Mapping;
 use crate::theme::Palette;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use lancer_document::gizmo::Constraint;
 use lancer_document::wireframe::{Grid, Polyline, Wireframes, grid};
 use lancer_document::{Axis, Item, focus, navigate};
+use lancer_render::Region;
 use lancer_trace::Camera;
 use lancer_words::{Lang, studio::view as words};
 
@@ -119,6 +121,17 @@ fn label(painter: &Painter, place: Pos2, text: &str, color: Color32) {
 fn halo(painter: &Painter, points: Vec<Pos2>, color: Color32, width: f32) {
     painter.add(Shape::line(points.clone(), Stroke::new(width + 2.0, Color32::from_black_alpha(110))));
     painter.add(Shape::line(points, Stroke::new(width, color)));
+}
+
+/// Marks the pixel that is explained: four ticks around it, dark around so that they are seen on any picture.
+pub(crate) fn explained(painter: &Painter, mapping: &Mapping, (x, y): (u32, u32), size: [u32; 2], palette: &Palette) {
+    let pixel = mapping.region_rect(Region { x, y, width: 1, height: 1 }, size);
+    for (color, width) in [(Color32::from_black_alpha(170), 4.0), (palette.outline(true), 1.5)] {
+        for way in [Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y] {
+            let ends = [pixel.center() + way * 5.0, pixel.center() + way * 12.0];
+            painter.line_segment(ends, Stroke::new(width, color));
+        }
+    }
 }
 
 /// A dashed rectangle.

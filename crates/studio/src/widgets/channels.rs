@@ -2,7 +2,7 @@
 
 use super::number::{NumberField, raw};
 use super::{Change, track};
-use crate::chrome::icon_switch;
+use crate::chrome::small_icon_switch;
 use egui::{Id, Ui};
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 use lancer_document::number::NumberError;
@@ -37,7 +37,7 @@ pub fn channels(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let icon = if apart { ICON_LINK_OFF } else { ICON_LINK };
-        if icon_switch(ui, !apart, icon, &words::linked(field.lang, field.name)).clicked() {
+        if small_icon_switch(ui, !apart, icon, &words::linked(field.lang, field.name)).clicked() {
             apart = !apart;
             if !apart && !value.is_uniform() {
                 let mean = (value.r + value.g + value.b) / 3.0;

@@ -11,7 +11,7 @@ pub fn choice(ui: &mut Ui, id: Id, chosen: usize, words: &[String], name: &str) 
     let shown = words.get(chosen).map_or("", String::as_str);
     let response = ComboBox::from_id_salt(id)
         .selected_text(shown)
-        .width((ui.available_width() - 12.0).max(60.0))
+        .width(ui.available_width().max(60.0))
         .show_ui(ui, |ui| {
             for (place, word) in words.iter().enumerate() {
                 if ui.selectable_label(place == chosen, word).clicked() && place != chosen {

@@ -10,7 +10,12 @@ pub fn color(ui: &mut Ui, id: Id, value: Rgb, field: &Channels<'_>, refused: &mu
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let mut bytes = value.to_bytes();
-        let response = ui.color_edit_button_srgb(&mut bytes);
+        let response = ui
+            .scope(|ui| {
+                ui.spacing_mut().interact_size = egui::vec2(26.0, 22.0);
+                ui.color_edit_button_srgb(&mut bytes)
+            })
+            .inner;
         let enabled = response.enabled();
         response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, field.name));
         let picked = track(ui, id.with("picker"), response.changed().then(|| Rgb::from_bytes(bytes)));

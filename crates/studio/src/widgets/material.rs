@@ -34,10 +34,10 @@ pub fn material(
     };
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        swatch(ui, context, &scene.surface(chosen));
+        swatch(ui, context, &scene.surface(chosen), 24.0);
         let response = ComboBox::from_id_salt(id)
             .selected_text(&shown)
-            .width((ui.available_width() - 12.0).max(60.0))
+            .width(ui.available_width().max(60.0))
             .show_ui(ui, |ui| {
                 ui.set_min_width(200.0);
                 choice = list(ui, scene, chosen, context);
@@ -93,7 +93,7 @@ pub(crate) fn preset_list(ui: &mut Ui, context: &Context<'_>) -> Option<presets:
 
 fn row(ui: &mut Ui, context: &Context<'_>, surface: &Surface, name: &str, selected: bool) -> bool {
     ui.horizontal(|ui| {
-        swatch(ui, context, surface);
+        swatch(ui, context, surface, 24.0);
         let clicked = ui.selectable_label(selected, name).clicked();
         if clicked {
             ui.close();
@@ -104,8 +104,8 @@ fn row(ui: &mut Ui, context: &Context<'_>, surface: &Surface, name: &str, select
 }
 
 /// The picture of a material, or an empty field of its size while it is rendered.
-pub(crate) fn swatch(ui: &mut Ui, context: &Context<'_>, surface: &Surface) {
-    let size = Vec2::splat(24.0);
+pub(crate) fn swatch(ui: &mut Ui, context: &Context<'_>, surface: &Surface, side: f32) {
+    let size = Vec2::splat(side);
     match context.swatches.get(ui.ctx(), surface) {
         Some(texture) => drop(ui.add(Image::new((texture.id(), size)).corner_radius(4))),
         None => drop(ui.allocate_exact_size(size, egui::Sense::hover())),

@@ -11,6 +11,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use lancer_document::Item;
+use lancer_render::Tracing;
 use lancer_scene::{
     DVec3, Environment, List, MaterialRef, Object, PointLight, Rgb, Scene, ScreenSpec, Shape, Stage, Steps, Surface,
     View,
@@ -108,7 +109,8 @@ impl Window {
         let mut harness = Harness::builder().with_size(Vec2::new(1000.0, 640.0)).build_eframe(move |creation| {
             let settings = Settings::default();
             let dialogs = Box::new(scripted);
-            let start = Start { settings, lang: Some(lang), stage, open, dialogs, journals };
+            let tracing = Tracing::default();
+            let start = Start { settings, lang: Some(lang), tracing, stage, open, dialogs, journals };
             Studio::new(&creation.egui_ctx, start)
         });
         harness.step();

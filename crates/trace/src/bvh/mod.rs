@@ -8,6 +8,7 @@
 //! [`Bvh::origin`]. The arithmetic of a ray adds errors of its own that grow with its distance; [`Bvh::margin`] says by
 //! how much the boxes have to be wider for a ray.
 
+mod beam;
 mod block;
 mod bounds;
 mod build;
@@ -20,6 +21,7 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use beam::{Beam, LeafBox, Shadow, Visit};
 pub(crate) use block::{Block, Triangles};
 pub(crate) use bounds::Bounds;
 pub(crate) use build::{Frame, Source};
@@ -88,6 +90,12 @@ impl Bvh {
     /// The box around everything.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
         self.bounds
+    }
+
+    /// The greatest coordinate, relative to the origin.
+    pub(crate) fn extent(&self) -> f32 {
+        let extent = |bounds: Bounds| (bounds.low - self.origin).abs().max((bounds.high - self.origin).abs());
+        self.bounds.map_or(0.0, |bounds| (extent(bounds).max_element() * 1.000_001) as f32)
     }
 
     /// The margin of rays that are given in the hierarchy's own space.

@@ -24,6 +24,14 @@ impl Node {
     };
 }
 
+impl Node {
+    /// Whether there is a child at that place.
+    #[inline(always)]
+    pub(crate) fn holds(&self, child: usize) -> bool {
+        self.low[0][child] <= self.high[0][child]
+    }
+}
+
 /// Where a child is, in 32 bits. Bit 31: it is a leaf; then bits 28 to 30 hold its count less 1, the rest its first.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Zeroable)]

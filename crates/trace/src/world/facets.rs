@@ -78,10 +78,11 @@ impl Facets {
     }
 
     /// `P0 P1 P2` of a facet, in the world.
+    #[inline]
     pub(crate) fn corners(&self, facet: u32) -> [DVec3; 3] {
         let corners = self.packed.corners(facet);
         match &self.placed {
-            Some(placed) => corners.map(|corner| placed.apply(corner)),
+            Some(placed) => [placed.apply(corners[0]), placed.apply(corners[1]), placed.apply(corners[2])],
             None => corners,
         }
     }

@@ -33,6 +33,11 @@ impl Media {
         media
     }
 
+    /// The entries of the stack, outermost first.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (u32, Rgb)> + '_ {
+        self.0.iter().copied()
+    }
+
     /// The bodies on the stack, outermost first.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = u32> + '_ {
         self.0.iter().map(|(body, _)| *body)

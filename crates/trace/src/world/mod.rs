@@ -62,6 +62,11 @@ impl World {
         &self.bodies[number as usize]
     }
 
+    /// The bodies in document order.
+    pub(crate) fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
     /// A surface by its number.
     pub(crate) fn surface(&self, number: u32) -> &Surface {
         &self.surfaces[number as usize]

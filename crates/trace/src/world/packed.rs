@@ -53,9 +53,11 @@ impl Packed {
     }
 
     /// `P0 P1 P2` of a facet.
+    #[inline]
     pub(crate) fn corners(&self, facet: u32) -> [DVec3; 3] {
         let positions = self.baked.as_ref().unwrap_or(&self.geometry.positions);
-        self.geometry.facets[facet as usize].map(|vertex| positions[vertex as usize])
+        let [p0, p1, p2] = self.geometry.facets[facet as usize];
+        [positions[p0 as usize], positions[p1 as usize], positions[p2 as usize]]
     }
 
     /// The hierarchy over the facets; a leaf counts blocks.

@@ -19,6 +19,8 @@ phrases! {
     output_value() { "OUTPUT", "IMAGE" }
     /// Any file.
     file_value() { "FILE", "FICHIER" }
+    /// A folder.
+    folder_value() { "FOLDER", "DOSSIER" }
     /// A name.
     name_value() { "NAME", "NOM" }
     /// A list.
@@ -57,6 +59,9 @@ phrases! {
 
 A scene file that is named like a command is given as ./show.
 
+Environment: LANCER_SIMD=portable, avx2 or avx512 chooses the instructions of the engine simd; otherwise it uses the
+best that the machine has. The picture is the same.
+
 Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `check` found errors;
 2 wrong use of the command line; 3 a file cannot be read or written, or memory is short; 130 interrupted.",
         "Exemples :
@@ -65,6 +70,9 @@ Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `chec
   lancer explain scene.xml vue.xml 320 240       d'où vient la couleur d'un pixel
 
 Un fichier de scène qui porte le nom d'une commande se donne ainsi : ./show.
+
+Environnement : LANCER_SIMD=portable, avx2 ou avx512 choisit les instructions du moteur simd ; sinon il emploie les
+meilleures de la machine. L'image est la même.
 
 Code de retour : 0 terminé ; 1 l'entrée est fausse, ou `diff` a trouvé des différences, ou `check` des erreurs ;
 2 mauvais emploi de la ligne de commande ; 3 fichier impossible à lire ou à écrire, ou mémoire insuffisante ;
@@ -176,6 +184,11 @@ donnent 0.",
         "N×N samples for each pixel, 1 to 64, instead of the view's",
         "N×N échantillons par pixel, de 1 à 64, à la place de ceux de la vue",
     }
+    /// --adaptive
+    adaptive_help() {
+        "Take the samples only of pixels whose colour at the centre differs from that of one of the eight around by more than T in some channel, 0 to 1; such as --samples 4 --adaptive 0.05",
+        "Ne prend les échantillons que des pixels dont la couleur au centre diffère de celle d'un des huit voisins de plus de T dans un canal, de 0 à 1 ; par exemple --samples 4 --adaptive 0.05",
+    }
     /// --region
     region_help() {
         "Render only these pixels: left column, top row, width, height; the picture has that size",
@@ -191,6 +204,11 @@ transparency (transparence)",
     threads_help() {
         "Number of threads; the picture is the same for every number",
         "Nombre de fils d'exécution ; l'image est la même quel que soit ce nombre",
+    }
+    /// --engine
+    engine_help() {
+        "What follows the rays: simd, many at a time (the default), or reference, the formulas of the course one ray at a time; the picture is the same",
+        "Ce qui suit les rayons : simd, beaucoup à la fois (par défaut), ou reference, les formules du cours un rayon après l'autre ; l'image est la même",
     }
     /// --max-rays
     max_rays_help(default) {

@@ -25,6 +25,8 @@ width and height are at least 1",
         "the steps are shadows, reflection and transparency, separated by commas",
         "les étapes sont shadows, reflection et transparency, séparées par des virgules",
     }
+    /// --adaptive is no threshold.
+    bad_threshold() { "a number from 0 to 1 is due, such as 0.05", "on attend un nombre de 0 à 1, par exemple 0.05" }
     /// --all-views with `-`.
     all_views_to_stdout() {
         "--all-views writes several pictures; they cannot all go to standard output",

@@ -28,6 +28,8 @@ phrases! {
     tab_xml() { "XML", "XML" }
     /// What is wrong with files.
     tab_problems() { "Problems", "Problèmes" }
+    /// A pixel with all its rays.
+    tab_explain() { "Explain", "Explication" }
     /// The steps.
     tab_history() { "History", "Historique" }
 
@@ -148,6 +150,17 @@ phrases! {
     /// The title of a dialog.
     save_picture_title(view) { "Save the picture of {view}", "Enregistrer l'image de {view}" }
     /// The title of a dialog.
+    export_2009_title() { "Export to the format of 2009", "Exporter au format de 2009" }
+    /// What is asked before an export that loses something.
+    losses_title() { "The format of 2009 cannot hold everything", "Le format de 2009 ne peut pas tout contenir" }
+    /// What is lost, before the list.
+    losses_text() {
+        "The exported file will differ from this document in what follows. The document itself stays as it is.",
+        "Le fichier exporté différera de ce document sur les points suivants. Le document lui-même reste tel quel.",
+    }
+    /// Goes on with the export.
+    export() { "Export…", "Exporter…" }
+    /// The title of a dialog.
     add_mesh_title() { "Add a mesh from a file", "Ajouter un maillage depuis un fichier" }
     /// The title of a dialog.
     save_text_title() { "Save the text", "Enregistrer le texte" }
@@ -167,8 +180,8 @@ phrases! {
 
     /// The help of the command line.
     usage() {
-        "The interactive editor of lancer: live ray-traced views of one scene.\n\nUsage: lancer-studio [OPTIONS] [SCENE] [VIEWS]...\n\nArguments:\n  [SCENE]     A scene: XML, binary, or a document of 2009\n  [VIEWS]...  Documents of views; without one the views beside the scene are shown\n\nOptions:\n      --lang <LANG>  The language: en or fr\n  -h, --help         Print this help\n  -V, --version      Print the version",
-        "L'éditeur interactif de lancer : des vues d'une scène, calculées en direct par lancer de rayon.\n\nUsage : lancer-studio [OPTIONS] [SCÈNE] [VUES]...\n\nArguments :\n  [SCÈNE]    Une scène : XML, binaire, ou un document de 2009\n  [VUES]...  Des documents de vues ; sans eux, les vues à côté de la scène sont affichées\n\nOptions :\n      --lang <LANGUE>  La langue : en ou fr\n  -h, --help           Afficher cette aide\n  -V, --version        Afficher la version",
+        "The interactive editor of lancer: live ray-traced views of one scene.\n\nUsage: lancer-studio [OPTIONS] [SCENE] [VIEWS]...\n\nArguments:\n  [SCENE]     A scene: XML, binary, or a document of 2009\n  [VIEWS]...  Documents of views; without one the views beside the scene are shown\n\nOptions:\n      --lang <LANG>  The language: en or fr\n  -h, --help         Print this help\n  -V, --version      Print the version\n\nEnvironment:\n  LANCER_SIMD  portable, avx2 or avx512: the instructions of the engine; otherwise the best that the machine has",
+        "L'éditeur interactif de lancer : des vues d'une scène, calculées en direct par lancer de rayon.\n\nUsage : lancer-studio [OPTIONS] [SCÈNE] [VUES]...\n\nArguments :\n  [SCÈNE]    Une scène : XML, binaire, ou un document de 2009\n  [VUES]...  Des documents de vues ; sans eux, les vues à côté de la scène sont affichées\n\nOptions :\n      --lang <LANGUE>  La langue : en ou fr\n  -h, --help           Afficher cette aide\n  -V, --version        Afficher la version\n\nEnvironnement :\n  LANCER_SIMD  portable, avx2 ou avx512 : les instructions du moteur ; sinon les meilleures de la machine",
     }
     /// An argument that does not exist.
     wrong_argument(argument) {

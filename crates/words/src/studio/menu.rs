@@ -34,6 +34,12 @@ phrases! {
     save_views() { "Save views", "Enregistrer les vues" }
     /// Saves the views elsewhere.
     save_views_as() { "Save views as…", "Enregistrer les vues sous…" }
+    /// Writes the scene in the format of 2009.
+    export_scene_2009() { "Export the scene (2009)…", "Exporter la scène (2009)…" }
+    /// Writes the views in the format of 2009.
+    export_views_2009() { "Export the views (2009)…", "Exporter les vues (2009)…" }
+    /// The tabs at the bottom.
+    show_tab() { "Show tab", "Afficher l'onglet" }
     /// Saves a picture.
     save_picture() { "Save picture…", "Enregistrer l'image…" }
     /// Ends the program.
@@ -215,6 +221,10 @@ phrases! {
     page_keys() { "Page up, page down", "Page préc., page suiv." }
     /// What it does.
     page_keys_does() { "Go nearer or farther", "S'approcher ou s'éloigner" }
+    /// A gesture.
+    explain_click() { "Click with the Explain tab open", "Clic, l'onglet Explication étant ouvert" }
+    /// What it does.
+    explain_click_does() { "Explain that pixel, ray by ray", "Expliquer ce pixel, rayon par rayon" }
     /// A gesture.
     region() { "Ctrl + drag, or R then drag", "Ctrl + glisser, ou R puis glisser" }
     /// What it does.

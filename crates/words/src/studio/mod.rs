@@ -1,6 +1,7 @@
 //! What the editor says.
 
 pub mod app;
+pub mod explain;
 pub mod menu;
 pub mod panels;
 pub mod view;

@@ -77,6 +77,10 @@ phrases! {
     reset(attribute) { "Set {attribute} to its default", "Remettre {attribute} à sa valeur par défaut" }
     /// The link of channels.
     linked(attribute) { "{attribute}: one number for all channels", "{attribute} : un seul nombre pour tous les canaux" }
+    /// What an attribute means, after its letter in the subject or its word in the documents.
+    meaning(term, sentence) { "{term}: {sentence}", "{term} : {sentence}" }
+    /// A material that several objects have.
+    shared(count) { "shared by {count} objects", "partagée par {count} objets" }
     /// A range.
     range(least, greatest) { "from {least} to {greatest}", "de {least} à {greatest}" }
     /// The built-in grey.
@@ -127,6 +131,12 @@ phrases! {
     copy() { "Copy", "Copier" }
     /// A button.
     save_text() { "Save as a file…", "Enregistrer dans un fichier…" }
+    /// Which document is shown.
+    document_of_scene() { "Scene", "Scène" }
+    /// Which document is shown.
+    document_of_views() { "Views", "Vues" }
+    /// The scene is being looked through.
+    looking() { "Looking through the scene…", "Examen de la scène…" }
     /// The text is being made.
     preparing() { "Preparing the text…", "Préparation du texte…" }
     /// A line that is not shown whole.

@@ -32,6 +32,16 @@ struct Pixel<'a> {
     /// The mean of the samples.
     color: Triple,
     bytes: [u8; 3],
+    engine: Engine,
+}
+
+/// What the engine computes for the pixel: `bytes` are those of a picture.
+#[derive(Serialize)]
+struct Engine {
+    /// `portable`, `avx2` or `avx512`.
+    instructions: &'static str,
+    color: Triple,
+    bytes: [u8; 3],
 }
 
 #[derive(Serialize)]
@@ -166,7 +176,7 @@ enum Light<'a> {
 
 /// The explanation, to be written as one line of JSON.
 pub(super) fn json<'a>(explanation: &'a Explanation<'_>) -> impl Serialize + use<'a> {
-    let Explanation { scene, view, settings, pixel, x, y } = explanation;
+    let Explanation { scene, view, settings, pixel, engine: (color, simd), x, y } = explanation;
     let steps = [
         (settings.steps.shadows, "shadows"),
         (settings.steps.reflection, "reflection"),
@@ -190,6 +200,7 @@ pub(super) fn json<'a>(explanation: &'a Explanation<'_>) -> impl Serialize + use
         samples: pixel.samples.iter().map(sample).collect(),
         color: pixel.color.to_array(),
         bytes: pixel.bytes,
+        engine: Engine { instructions: simd.name(), color: color.to_array(), bytes: color.to_bytes() },
     }
 }
 

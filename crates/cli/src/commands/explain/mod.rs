@@ -1,7 +1,7 @@
 //! `lancer explain SCENE VIEW X Y`: one pixel opened: the tree of its rays, every term, every ⊕, down to the byte.
 //!
-//! The tree is recorded by the tracer that renders pictures, so the explanation cannot tell another story than the
-//! picture.
+//! The tree is recorded by the reference tracer, whose every term can be told. Pictures are rendered by the engine, so
+//! its colour stands beside the reference's: the explanation says itself whether it tells the picture's story.
 
 mod json;
 mod number;
@@ -12,9 +12,9 @@ mod text;
 use crate::failure::PictureOf;
 use crate::{Context, Exit, Failure, documents, flags};
 use clap::{ArgMatches, Command};
-use lancer_render::RenderError;
-use lancer_scene::{Scene, View, limits};
-use lancer_trace::{Camera, PixelTree, Settings, World, explain};
+use lancer_render::{RenderError, Tracing, render_pixel};
+use lancer_scene::{Color, Scene, View, limits};
+use lancer_trace::{Camera, PixelTree, Settings, Simd, World, explain};
 use lancer_words::Lang;
 use lancer_words::cli::help;
 
@@ -24,6 +24,8 @@ struct Explanation<'a> {
     view: &'a View,
     settings: Settings,
     pixel: PixelTree,
+    /// What the engine says, and with which instructions.
+    engine: (Color, Simd),
     x: u32,
     y: u32,
 }
@@ -51,6 +53,7 @@ pub(crate) fn command(lang: Lang) -> Command {
 
 pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
     let console = context.console.quiet_if(matches.get_flag("quiet"));
+    let simd = flags::simd()?;
     let options = flags::load_options(matches);
     let view_path = flags::path_of(matches, "view-file");
     let stage = documents::stage(flags::path_of(matches, "scene"), view_path, &options, &console)?;
@@ -67,7 +70,9 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     settings.max_rays = flags::number_of(matches, "max-rays").unwrap_or(settings.max_rays);
     let pixel = explain(&world, &camera, settings, (x, y), &context.cancel)
         .map_err(|error| Failure::render(RenderError::at((x, y), error), &view))?;
-    let explanation = Explanation { scene: &stage.scene, view: &view, settings, pixel, x, y };
+    let engine = render_pixel(&world, &camera, settings, Tracing::Engine(simd), (x, y), &context.cancel)
+        .map_err(|error| Failure::render(error, &view))?;
+    let explanation = Explanation { scene: &stage.scene, view: &view, settings, pixel, engine: (engine, simd), x, y };
     let levels = flags::number_of(matches, "levels");
     match matches.get_flag("json") {
         true => console.print_json(&json::json(&explanation))?,

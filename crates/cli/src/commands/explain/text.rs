@@ -21,7 +21,7 @@ pub(super) fn write(
     lang: Lang,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let Explanation { scene, view, settings, pixel, x, y } = explanation;
+    let Explanation { scene, view, settings, pixel, x, y, .. } = explanation;
     writeln!(out, "{}", words::title(lang, x, y, &view.name, view.width, view.height))?;
     if !scene.name.is_empty() {
         writeln!(out, "{}", words::scene_title(lang, one_line(&scene.name)))?;
@@ -70,7 +70,18 @@ fn end(explanation: &Explanation<'_>, lang: Lang) -> String {
     } else {
         lines.push(Line::values(words::pixel_color(lang), pixel.color));
     }
+    let (color, _) = explanation.engine;
+    let bytes = color.to_bytes();
     lines.push(Line::cells(words::bytes(lang), pixel.bytes.map(|byte| byte.to_string())));
+    lines.push(Line::values(words::engine_color(lang), color));
+    lines.push(Line::cells(words::engine_bytes(lang), bytes.map(|byte| byte.to_string())));
+    let most = pixel.bytes.iter().zip(bytes).map(|(own, other)| own.abs_diff(other)).max();
+    let remark = match most.unwrap_or(0) {
+        0 => None,
+        1 => Some(words::engine_rounds(lang)),
+        most => Some(words::engine_differs(lang, most)),
+    };
+    lines.extend(remark.into_iter().flat_map(|remark| [Line::Blank, Line::Text(remark)]));
     laid_out(&lines).join("\n") + "\n"
 }
 
