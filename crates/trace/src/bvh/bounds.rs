@@ -42,6 +42,12 @@ impl Bounds {
         self.low * 0.5 + self.high * 0.5
     }
 
+    /// Half of its surface.
+    pub(crate) fn half_area(&self) -> f64 {
+        let DVec3 { x, y, z } = self.high - self.low;
+        x * (y + z) + y * z
+    }
+
     /// The greatest coordinate, by its amount.
     pub(crate) fn reach(&self) -> f64 {
         self.low.abs().max(self.high.abs()).max_element()

@@ -12,7 +12,9 @@ mod beam;
 mod block;
 mod bounds;
 mod build;
+mod cost;
 mod extreme;
+mod huge;
 mod node;
 mod walk;
 
@@ -20,9 +22,9 @@ mod walk;
 mod tests;
 
 pub(crate) use beam::{Beam, LeafBox, Shadow, Visit};
-pub(crate) use block::{Block, NO_FACET};
+pub(crate) use block::{Block, Triangles};
 pub(crate) use bounds::Bounds;
-pub(crate) use build::{Frame, Item};
+pub(crate) use build::{Frame, Source};
 pub(crate) use node::{Child, Entry, Node};
 pub(crate) use walk::Sight;
 
@@ -33,7 +35,7 @@ pub(crate) const WIDTH: usize = 8;
 
 /// How many nodes lie on the longest way from the root to a leaf, whatever the input. A traversal that pushes all
 /// children but one at each level needs a stack of `MAX_DEPTH · (WIDTH - 1) + 1`.
-pub(crate) const MAX_DEPTH: usize = 32;
+pub(crate) const MAX_DEPTH: usize = 48;
 
 /// The hierarchy. An empty one has no nodes.
 #[derive(Clone, Debug, Default)]
@@ -67,17 +69,12 @@ impl Bvh {
     /// Builds over the bounds of items 0, 1, 2 … and gives the items in the order of the leaves: a leaf is
     /// `order[first..first + count]`.
     pub(crate) fn build(bounds: &[Bounds]) -> (Bvh, Vec<u32>) {
-        let Some(all) = bounds.iter().copied().reduce(Bounds::union) else { return (Bvh::default(), Vec::new()) };
-        let frame = Frame::around(all);
-        let items = (0..).zip(bounds).map(|(number, bounds)| frame.item(number, *bounds)).collect();
-        Bvh::of_items(all, &frame, items, 1)
+        Bvh::over(&Boxes(bounds))
     }
 
-    /// Builds over items that were made with the frame around `bounds`. A leaf counts `pack` items as one, and each such
-    /// pack has `pack` places in the order: places without an item hold [`NO_FACET`].
-    pub(crate) fn of_items(bounds: Bounds, frame: &Frame, items: Vec<Item>, pack: usize) -> (Bvh, Vec<u32>) {
-        let (nodes, order) = build::build(items, pack);
-        (Bvh { origin: frame.origin(), nodes, bounds: Some(bounds) }, order)
+    /// Builds over a source, and gives its packs in the order of the leaves: a leaf is `packs[first..first + count]`.
+    pub(crate) fn over<S: Source>(source: &S) -> (Bvh, Vec<S::Pack>) {
+        build::build(source)
     }
 
     /// What the coordinates of nodes and blocks are relative to.
@@ -105,5 +102,32 @@ impl Bvh {
     pub(crate) fn margin(&self) -> Margin {
         let reach = self.bounds.map_or(0.0, |bounds| bounds.reach());
         Margin { fixed: Margin::ROUNDINGS * reach, per_origin: Margin::ROUNDINGS }
+    }
+}
+
+/// Boxes that are items by themselves: a pack is one number.
+struct Boxes<'a>(&'a [Bounds]);
+
+impl Source for Boxes<'_> {
+    type Pack = u32;
+    const PACK: usize = 1;
+
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    fn hull(&self) -> Bounds {
+        self.0.iter().copied().fold(Bounds::EMPTY, Bounds::union)
+    }
+
+    fn bounds(&self, number: u32) -> Bounds {
+        self.0[number as usize]
+    }
+
+    fn pack(&self, numbers: &[u32], _: &Frame, place: &mut u32) -> Bounds {
+        numbers.iter().fold(Bounds::EMPTY, |_, &number| {
+            *place = number;
+            self.0[number as usize]
+        })
     }
 }

@@ -1,10 +1,11 @@
 //! The nodes of a hierarchy: the boxes of eight children side by side, and where the children are.
 
 use super::WIDTH;
+use bytemuck::Zeroable;
 
 /// An inner node. The children's boxes are relative to the hierarchy's origin and rounded outwards.
 #[repr(C, align(32))]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Zeroable)]
 pub(crate) struct Node {
     /// The least corners, by axis, then by child; `+∞` where there is no child.
     pub(crate) low: [[f32; WIDTH]; 3],
@@ -32,7 +33,8 @@ impl Node {
 }
 
 /// Where a child is, in 32 bits. Bit 31: it is a leaf; then bits 28 to 30 hold its count less 1, the rest its first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Zeroable)]
 pub(crate) struct Child(u32);
 
 /// What a child is.

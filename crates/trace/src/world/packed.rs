@@ -1,7 +1,7 @@
 //! The geometry of a set of facets as rays need it, shared by all objects and all compiled worlds that show it: whatever
 //! depends on neither placement nor materials is computed here, once.
 
-use crate::bvh::{Block, Bounds, Bvh, Child, Frame, NO_FACET};
+use crate::bvh::{Block, Bvh, Child, Triangles};
 use glam::DVec3;
 use lancer_scene::{Enclosure, MeshGeometry};
 use std::sync::{Arc, OnceLock};
@@ -28,24 +28,9 @@ impl Packed {
         let begun = Instant::now();
         let positions = baked.as_ref().unwrap_or(&geometry.positions);
         let exists = |facet: &&[u32; 3]| facet.iter().all(|&vertex| (vertex as usize) < positions.len());
-        let facets = || geometry.facets.iter().take(Child::PLACES).take_while(exists);
-        let corners = |facet: &[u32; 3]| facet.map(|vertex| positions[vertex as usize]);
-        let bounds = facets().map(|facet| Bounds::of(corners(facet))).reduce(Bounds::union);
-        let len = facets().count() as u32;
-        let (bvh, order) = match bounds {
-            Some(bounds) => {
-                let frame = Frame::around(bounds);
-                let items =
-                    (0..).zip(facets()).map(|(number, facet)| frame.item(number, Bounds::of(corners(facet)))).collect();
-                Bvh::of_items(bounds, &frame, items, Block::FACETS)
-            }
-            None => (Bvh::default(), Vec::new()),
-        };
-        let blocks = order
-            .chunks(Block::FACETS)
-            .map(|facets| Block::of(facets, bvh.origin(), |facet| corners(&geometry.facets[facet as usize])))
-            .collect();
-        debug_assert!(order.iter().all(|&facet| facet < len || facet == NO_FACET));
+        let len = geometry.facets.iter().take(Child::PLACES).take_while(exists).count();
+        let (bvh, blocks) = Bvh::over(&Triangles { positions, facets: &geometry.facets[..len] });
+        let len = len as u32;
         let (smooth_normals, enclosure) = (OnceLock::new(), OnceLock::new());
         Packed { len, bvh, blocks, build_time: begun.elapsed(), smooth_normals, enclosure, baked, geometry }
     }

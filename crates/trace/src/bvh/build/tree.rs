@@ -1,0 +1,148 @@
+//! From a binary tree to wide nodes at the least cost: how the children of a binary node are spread over the eight places
+//! of a wide one, and where a leaf begins, by dynamic programming (Ylitie, Karras and Laine 2017, §3.1).
+
+use crate::bvh::{Child, WIDTH};
+
+/// A node of the binary tree. It comes after its children; the right one right before it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Twig {
+    /// The left child.
+    left: u32,
+    /// Its items in the order of the leaves, or for a leaf of another kind what its maker says.
+    pub(super) first: u32,
+    pub(super) count: u32,
+    /// For 2 to 8 places how many of them the left child gets, 0 if it is best to use one less; three bits each. Bits 21
+    /// to 23: up to that many places it is best to use one alone. Bit 31: in one place it is a leaf.
+    plan: u32,
+}
+
+/// The binary tree, with the least costs of each node so far.
+pub(super) struct Tree {
+    pub(super) twigs: Vec<Twig>,
+    costs: Vec<Costs>,
+}
+
+/// The least cost of a node in at most 1, 2 … 7 places, as area times tests.
+type Costs = [f32; WIDTH - 1];
+
+const LEAF: u32 = 1 << 31;
+const ALONE_SHIFT: u32 = 21;
+/// What a test of a node's boxes costs, and of a pack of items.
+const NODE_COST: f32 = 1.0;
+const PACK_COST: f32 = 1.0;
+
+impl Twig {
+    /// Whether it is best off with one place, however many it may have.
+    fn is_always_alone(&self) -> bool {
+        self.plan >> ALONE_SHIFT & 7 == 7
+    }
+
+    /// Whether it is a leaf where it has a place to itself.
+    pub(super) fn is_leaf(&self) -> bool {
+        self.plan & LEAF != 0
+    }
+}
+
+impl Tree {
+    pub(super) const NEW: Tree = Tree { twigs: Vec::new(), costs: Vec::new() };
+
+    /// The number of the node that was added last.
+    pub(super) fn last(&self) -> u32 {
+        (self.twigs.len() - 1) as u32
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.twigs.clear();
+        self.costs.clear();
+    }
+
+    /// Adds a leaf: `packs` packs of these items.
+    pub(super) fn leaf(&mut self, first: usize, count: usize, packs: usize, area: f32) -> u32 {
+        self.twigs.push(Twig { left: 0, first: first as u32, count: count as u32, plan: LEAF | 7 << ALONE_SHIFT });
+        self.costs.push([area * packs as f32 * PACK_COST; WIDTH - 1]);
+        self.last()
+    }
+
+    /// Adds the parent of `left` and the last node. With no more than `packs` packs it may be a leaf instead.
+    pub(super) fn fork(&mut self, left: u32, first: usize, count: usize, packs: usize, area: f32) -> u32 {
+        let right = self.last();
+        let (l, r) = (&self.costs[left as usize], &self.costs[right as usize]);
+        let [l_alone, r_alone] = [left, right].map(|child| self.twigs[child as usize].is_always_alone());
+        let mut plan = 0;
+        let mut costs = [0.0; WIDTH - 1];
+        let mut before = f32::INFINITY;
+        for places in 2..=WIDTH {
+            // what makes use of one place alone gets no more
+            let range = match (l_alone, r_alone) {
+                (true, _) => 1..2,
+                (false, true) => places - 1..places,
+                (false, false) => 1..places,
+            };
+            let mut best = (f32::INFINITY, range.start);
+            for given in range {
+                let cost = l[given - 1] + r[places - given - 1];
+                if cost < best.0 {
+                    best = (cost, given);
+                }
+            }
+            if best.0 < before || places == 2 {
+                plan |= (best.1 as u32) << (3 * (places - 2));
+                before = best.0;
+            }
+            if places < WIDTH {
+                costs[places - 1] = before;
+            }
+        }
+        let (leaf, inner) = (area * packs as f32 * PACK_COST, before + area * NODE_COST);
+        let is_leaf = packs <= Child::MOST && leaf <= inner;
+        if is_leaf {
+            plan |= LEAF;
+        }
+        costs[0] = if is_leaf { leaf } else { inner };
+        let mut alone = 1;
+        for places in 2..WIDTH {
+            if costs[0] <= costs[places - 1] {
+                costs[places - 1] = costs[0];
+                alone = places as u32;
+            }
+        }
+        plan |= alone << ALONE_SHIFT;
+        self.twigs.push(Twig { left, first: first as u32, count: count as u32, plan });
+        self.costs.push(costs);
+        self.last()
+    }
+}
+
+/// The nodes that stand in the places of a wide node made of that one.
+pub(super) fn spread(twigs: &[Twig], node: u32) -> Spread {
+    let mut spread = Spread { nodes: [0; WIDTH], len: 0 };
+    place(twigs, node, WIDTH, true, &mut spread);
+    spread
+}
+
+fn place(twigs: &[Twig], node: u32, mut places: usize, is_root: bool, spread: &mut Spread) {
+    let Twig { left, plan, .. } = twigs[node as usize];
+    if !is_root && places as u32 <= (plan >> ALONE_SHIFT & 7) {
+        spread.nodes[spread.len] = node;
+        spread.len += 1;
+        return;
+    }
+    let given = |places: usize| (plan >> (3 * (places - 2)) & 7) as usize;
+    while given(places) == 0 && places > 2 {
+        places -= 1;
+    }
+    place(twigs, left, given(places), false, spread);
+    place(twigs, node - 1, places - given(places), false, spread);
+}
+
+/// Up to eight nodes.
+pub(super) struct Spread {
+    nodes: [u32; WIDTH],
+    len: usize,
+}
+
+impl Spread {
+    pub(super) fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.len]
+    }
+}
