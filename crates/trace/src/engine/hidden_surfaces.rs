@@ -173,7 +173,8 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
         }
         within.traverse(&mut FacetLeaves { facets, body, block, hits });
         for place in lanes(packets) {
-            beam.shorten(place, within.limit(place));
+            // not the limit within: rays that went one by one have left it at the last one's
+            beam.shorten(place, hits[place].farthest(beam.packets[place].mask));
         }
     }
 }
