@@ -199,7 +199,7 @@ fn the_engine_draws_every_example_as_the_reference_does() {
             let scene = value(load::load_scene(&scene, &options)).unwrap();
             let views = value(load::load_views(path, &options)).unwrap();
             let world = World::compile(&scene);
-            let view = View { width: 160, height: 120, samples: 1, ..views.first().unwrap().clone() };
+            let view = View { width: 160, height: 120, samples: 1, ..View::clone(views.first().unwrap()) };
             let reference = still(&world, &view, Tracing::Reference, 1).unwrap();
             let engine = still(&world, &view, Tracing::default(), 2).unwrap();
             agree(&engine, &reference).err().map(|problem| format!("{}: {problem}", path.display()))
