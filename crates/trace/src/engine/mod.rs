@@ -5,8 +5,8 @@
 //! order, eight rays at a time. So hits, points and normals are the reference's to the last bit, whatever the backend, the
 //! companions of a ray, the tile or the thread, and nothing needs an offset. Only powers differ, by less than 10⁻¹².
 //!
-//! [`lanes`] are eight numbers; [`packet`] holds eight rays, and blocks of eight packets; [`hidden_surfaces`] and [`shadows`]
-//! find hits, [`surface_point`] points, [`light`] and [`bounce`] colours; [`path`] is the recursion, [`dispatch`] the way in.
+//! `lanes` are eight numbers; `packet` holds eight rays, and blocks of eight packets; `hidden_surfaces` and `shadows`
+//! find hits, `surface_point` points, `light` and `bounce` colours; `path` is the recursion, `dispatch` the way in.
 #![allow(clippy::needless_range_loop, reason = "closures of iterators are not compiled for a backend")]
 
 mod bounce;
