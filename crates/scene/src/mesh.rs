@@ -2,7 +2,6 @@
 
 use crate::{MaterialRef, Placement};
 use glam::DVec3;
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A mesh as it stands in a scene: shared geometry and a placement.
@@ -105,13 +104,19 @@ impl Enclosure {
 impl MeshGeometry {
     /// For each vertex the number of the first vertex at the same place.
     pub fn merged_vertices(&self) -> Vec<u32> {
-        let mut first_at = HashMap::with_capacity(self.positions.len());
         // Adding zero makes -0 and 0 the same place.
         let key = |position: &DVec3| position.to_array().map(|coordinate| (coordinate + 0.0).to_bits());
-        (0_u32..)
-            .zip(&self.positions)
-            .map(|(number, position)| *first_at.entry(key(position)).or_insert(number))
-            .collect()
+        let mut places: Vec<([u64; 3], u32)> = self.positions.iter().map(key).zip(0..).collect();
+        places.sort_unstable();
+        let mut merged = vec![0; places.len()];
+        let mut first = 0;
+        for (index, (place, vertex)) in places.iter().enumerate() {
+            if index == 0 || *place != places[index - 1].0 {
+                first = *vertex;
+            }
+            merged[*vertex as usize] = first;
+        }
+        merged
     }
 
     /// Whether the mesh is closed: after merging equal positions and dropping facets without area, every edge has
@@ -124,10 +129,7 @@ impl MeshGeometry {
             .map(|facet| facet.map(|vertex| merged[vertex as usize]))
             .filter(|facet| self.area_vector(*facet) != DVec3::ZERO)
             .collect();
-        let mut edges: Vec<(u32, u32)> = facets.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
-        edges.sort_unstable();
-        let once = edges.windows(2).all(|pair| pair[0] != pair[1]);
-        if !once || facets.is_empty() || !edges.iter().all(|&(a, b)| edges.binary_search(&(b, a)).is_ok()) {
+        if facets.is_empty() || !every_edge_is_met_both_ways(&facets, self.positions.len()) {
             return Enclosure::Sheet;
         }
         let origin = self.positions[facets[0][0] as usize];
@@ -146,6 +148,33 @@ impl MeshGeometry {
         let [a, b, c] = facet.map(|vertex| self.positions[vertex as usize]);
         (b - a).cross(c - a)
     }
+}
+
+/// Whether every edge has exactly two facets, which run along it in opposite directions.
+///
+/// Edges are sorted by their lesser vertex, which takes no comparisons; what is left at each vertex is a handful.
+fn every_edge_is_met_both_ways(facets: &[[u32; 3]], vertices: usize) -> bool {
+    let edges = || facets.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let mut ends = vec![0_usize; vertices + 1];
+    edges().for_each(|(a, b)| ends[a.min(b) as usize + 1] += 1);
+    for vertex in 0..vertices {
+        ends[vertex + 1] += ends[vertex];
+    }
+    // the other vertex of each edge, and whether the edge runs to it
+    let mut others = vec![(0_u32, false); ends[vertices]];
+    let mut next = ends.clone();
+    for (a, b) in edges() {
+        let place = &mut next[a.min(b) as usize];
+        others[*place] = (a.max(b), a < b);
+        *place += 1;
+    }
+    ends.windows(2).all(|range| {
+        let others = &mut others[range[0]..range[1]];
+        others.sort_unstable();
+        others.len().is_multiple_of(2)
+            && others.chunks_exact(2).all(|pair| pair[0].0 == pair[1].0 && !pair[0].1 && pair[1].1)
+            && others.chunks_exact(2).zip(others.chunks_exact(2).skip(1)).all(|(pair, next)| pair[0].0 != next[0].0)
+    })
 }
 
 #[cfg(test)]
@@ -190,6 +219,23 @@ mod tests {
         doubled.facets.push([0, 1, 2]);
         assert_eq!(doubled.enclosure(), Enclosure::Sheet);
         assert_eq!(MeshGeometry::default().enclosure(), Enclosure::Sheet);
+    }
+
+    #[test]
+    fn an_edge_of_four_facets_makes_a_sheet() {
+        // two tetrahedra that share an edge: each is closed, together they are not
+        let mut both = tetrahedron();
+        both.positions.extend([DVec3::NEG_Z, DVec3::NEG_Y]);
+        both.facets.extend([[0, 1, 4], [0, 5, 1], [1, 5, 4], [4, 5, 0]].map(|[a, b, c]| [a, c, b]));
+        assert_eq!(both.enclosure(), Enclosure::Sheet);
+        // apart they are
+        both.positions.extend([DVec3::ZERO - DVec3::Y, DVec3::X - DVec3::Y]);
+        both.positions[4] -= DVec3::Y;
+        both.positions[5] -= DVec3::Y;
+        for facet in &mut both.facets[4..] {
+            *facet = facet.map(|vertex| if vertex < 2 { vertex + 6 } else { vertex });
+        }
+        assert_ne!(both.enclosure(), Enclosure::Sheet);
     }
 
     #[test]

@@ -147,6 +147,7 @@ fn equal_and_growing_boxes_stay_shallow() {
         (0..1000).map(|n| Bounds::of([DVec3::ZERO, DVec3::X * 1.05_f64.powi(n)])).collect(),
         (0..3000).map(|n| Bounds::of([DVec3::X * 1.01_f64.powi(-n), DVec3::X * 1.01_f64.powi(-n)])).collect(),
         (0..5000).map(|n| Bounds::of([DVec3::splat(f64::from(n).powi(6))])).collect(),
+        (0..9000).map(|n| Bounds::of([DVec3::splat(-f64::from(n)), DVec3::splat(f64::from(n))])).collect(),
     ] {
         let (bvh, order) = Bvh::build(&bounds);
         check(&bounds, &bvh, &order);
@@ -168,4 +169,100 @@ fn most_boxes_are_never_looked_at() {
     assert!(across.contains(&500) && across.len() <= 8, "{across:?}");
     assert!(visited(&bvh, &order, DVec3::new(500.25, 0.5, -9.0), DVec3::Z, 8.0).is_empty(), "beyond the limit");
     assert!(visited(&bvh, &order, DVec3::new(500.25, 0.5, 9.0), DVec3::Z, f64::INFINITY).is_empty(), "behind");
+}
+
+/// A rough square of `2·n²` facets; every third quadrangle is left out, so that not all facets go by twos.
+fn field(n: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let rough = |x: u32| f64::from(x.wrapping_mul(0x9e37_79b9) >> 16) / 65536.0;
+    let position = |place: u32| {
+        let (i, j) = (place % (n + 1), place / (n + 1));
+        DVec3::new(f64::from(i), 3.0 * (0.1 * f64::from(i + j)).sin() + rough(place), f64::from(j))
+    };
+    let facets = (0..n * n).flat_map(|cell| {
+        let a = cell / n * (n + 1) + cell % n;
+        [[a, a + n + 1, a + 1], [a + 1, a + n + 1, a + n + 2]].into_iter().skip(usize::from(cell % 3 == 0))
+    });
+    ((0..(n + 1) * (n + 1)).map(position).collect(), facets.collect())
+}
+
+/// Facets are each in one block, and within the box of its leaf.
+fn check_blocks(positions: &[DVec3], facets: &[[u32; 3]]) -> (Bvh, Vec<Block>) {
+    let (bvh, blocks) = Bvh::over(&Triangles { positions, facets });
+    // the blocks in the place of items
+    let corners = |facet: u32| facets[facet as usize].map(|vertex| positions[vertex as usize]);
+    let bounds: Vec<Bounds> = blocks.iter().map(|block| Bounds::of(block.numbers().flat_map(corners))).collect();
+    check(&bounds, &bvh, &(0..blocks.len() as u32).collect::<Vec<_>>());
+    let mut numbers: Vec<u32> = blocks.iter().flat_map(|block| block.numbers()).collect();
+    numbers.sort_unstable();
+    assert_eq!(numbers, (0..facets.len() as u32).collect::<Vec<_>>());
+    for block in &blocks {
+        for lane in 0..Block::FACETS {
+            let facet = block.facets[lane];
+            let expected = if facet == u32::MAX {
+                [[f32::NAN; 3]; 3]
+            } else {
+                corners(facet).map(|corner| (corner - bvh.origin()).to_array().map(|x| x as f32))
+            };
+            let found = [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| block.corners[corner][axis][lane]));
+            assert_eq!(found.map(|corner| corner.map(f32::to_bits)), expected.map(|corner| corner.map(f32::to_bits)));
+        }
+    }
+    (bvh, blocks)
+}
+
+#[test]
+fn blocks_hold_each_facet_once() {
+    let (positions, facets) = field(60);
+    for count in [0, 1, 2, 3, 4, 5, 7, 8, 9, 31, 33, 100, facets.len()] {
+        check_blocks(&positions, &facets[..count]);
+    }
+}
+
+/// Facets of 10⁹ beside those of 10⁻⁹, and many on one place.
+#[test]
+fn blocks_hold_facets_of_all_sizes() {
+    let mut positions: Vec<DVec3> = Vec::new();
+    for n in 0..3000_u32 {
+        let size = 10.0_f64.powi(n as i32 % 19 - 9);
+        let at = DVec3::new(f64::from(n % 7), f64::from(n % 11), f64::from(n % 13)) * size;
+        positions.extend([at, at + DVec3::X * size, at + DVec3::Y * size]);
+    }
+    positions.extend([DVec3::ONE; 3 * 500]);
+    let facets: Vec<[u32; 3]> = (0..3500).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+    check_blocks(&positions, &facets);
+    // numbers that are none have no place, and do no harm
+    positions[17] = DVec3::NAN;
+    positions[44] = DVec3::INFINITY;
+    positions[79].x = -1e300;
+    let (_, blocks) = Bvh::over(&Triangles { positions: &positions, facets: &facets });
+    assert_eq!(blocks.iter().flat_map(|block| block.numbers()).count(), facets.len());
+}
+
+/// So many that all threads work on them: whatever their number, the tree is the same.
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let (positions, facets) = field(420);
+    let built = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let (bvh, blocks) = pool.install(|| Bvh::over(&Triangles { positions: &positions, facets: &facets }));
+        let nodes: Vec<_> = bvh.nodes().iter().map(|node| (node.low, node.high, node.children)).collect();
+        (nodes, blocks.iter().map(|block| block.facets).collect::<Vec<_>>())
+    };
+    let one = built(1);
+    assert!(facets.len() > 4 << 16, "enough for sets to be cut together");
+    for threads in [2, 3, 8] {
+        assert!(built(threads) == one, "{threads} threads");
+    }
+}
+
+/// A guard of quality and size: what a ray meets on average, and bytes a facet.
+#[test]
+fn hierarchies_are_good_and_small() {
+    for (n, most) in [(10, 3.7), (100, 9.4), (300, 10.7)] {
+        let (positions, facets) = field(n);
+        let (bvh, blocks) = check_blocks(&positions, &facets);
+        assert!(bvh.cost() < most, "{n}: cost {}", bvh.cost());
+        let bytes = (size_of_val(bvh.nodes()) + size_of_val(&blocks[..])) as f64 / facets.len() as f64;
+        assert!(bytes < 60.0, "{n}: {bytes} bytes a facet");
+    }
 }

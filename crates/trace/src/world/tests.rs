@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::Ray;
+use crate::bvh::Bounds;
+use crate::reference::intersect::intersect_facet;
 use glam::DVec3;
 use lancer_scene::{
     Edit, Enclosure, List, ListEdit, Material, MaterialRef, Mesh, MeshGeometry, Object, Part, Placement, PointLight,
@@ -180,6 +182,54 @@ proptest! {
             world = world.update(&stage.scene);
         }
         assert_same(&world, &World::compile(&stage.scene));
+    }
+}
+
+fn spread(least: i32, most: i32) -> impl Strategy<Value = f64> {
+    (f64::from(least)..f64::from(most), any::<bool>()).prop_map(|(power, negative)| {
+        let size = 10.0_f64.powf(power);
+        if negative { -size } else { size }
+    })
+}
+
+proptest! {
+    /// Wherever a mesh stands and however it is turned and stretched, every facet that a ray hits is visited: the way
+    /// to the geometry and back loses no hit.
+    #[test]
+    fn no_hit_is_lost_on_the_way_to_the_geometry(
+        scale in [spread(-3, 3), spread(-3, 3), spread(-3, 3)],
+        rotation in [-180.0..180.0, -180.0..180.0, -180.0..180.0],
+        position in [spread(-3, 6), spread(-3, 6), spread(-3, 6)],
+        start in [-3.0..3.0, -3.0..3.0, -3.0..3.0],
+        aims in prop::collection::vec((0..162_u32, 0.0..1.0, 0.0..1.0), 20),
+    ) {
+        let placement =
+            Placement { scale: scale.into(), rotation: DVec3::from(rotation), position: DVec3::from(position) };
+        let object = Object::new("sheet", mesh(&sheet(9), placement, false));
+        let world = World::compile(&Scene { objects: [object].into_iter().collect(), ..Scene::default() });
+        let Geometry::Facets(facets) = &world.body(0).geometry else { panic!("facets") };
+        let bounds = facets.bounds().unwrap();
+        let corners = (0..facets.len()).flat_map(|facet| facets.corners(facet));
+        prop_assert_eq!(Some(bounds), corners.map(|corner| Bounds { low: corner, high: corner }).reduce(Bounds::union));
+        let origin = bounds.center() + DVec3::from(start) * (bounds.high - bounds.low);
+        for (facet, a, b) in aims {
+            let (a, b): (f64, f64) = (a, b);
+            // into a facet, onto its edges and corners, and past it
+            let [p0, p1, p2] = facets.corners(facet);
+            let target = p0 + (p1 - p0) * (1.5 * a).min(1.0) + (p2 - p0) * (b - 0.2).max(0.0);
+            let ray = Ray { origin, direction: (target - origin).normalize() };
+            let mut visited = std::collections::BTreeSet::new();
+            facets.visit(&ray, f64::INFINITY, |facet, limit| {
+                visited.insert(facet);
+                limit
+            });
+            for facet in 0..facets.len() {
+                let [p0, p1, p2] = facets.corners(facet);
+                if intersect_facet(&ray, p0, p1, p2).is_some() {
+                    prop_assert!(visited.contains(&facet), "{facet}");
+                }
+            }
+        }
     }
 }
 

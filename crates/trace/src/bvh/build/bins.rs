@@ -221,3 +221,84 @@ impl Bins {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::part::part;
+    use super::super::snapped::Lattice;
+    use super::*;
+    use crate::bvh::{Bounds, Triangles};
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    fn snapped(boxes: Vec<([f64; 3], f64, usize)>) -> Vec<Snapped> {
+        let lattice = Lattice::over(Bounds { low: DVec3::ZERO, high: DVec3::splat(10.0) });
+        let boxes = (0..).zip(boxes).map(|(number, (low, size, weight))| {
+            let bounds = Bounds { low: low.into(), high: DVec3::from(low) + DVec3::new(size, 0.1 * size, 0.0) };
+            lattice.snap(2 * number, weight, bounds)
+        });
+        boxes.collect()
+    }
+
+    fn items(boxes: &[Snapped]) -> usize {
+        boxes.iter().map(|item| item.weight()).sum()
+    }
+
+    fn cost(boxes: &[Snapped]) -> u64 {
+        Snapped::around(boxes).half_area() * items(boxes).div_ceil(4) as u64
+    }
+
+    proptest! {
+        /// The parts are what the cut says, each in the old order, and no cut between bins is better.
+        #[test]
+        fn a_cut_is_the_best_one_between_bins(
+            boxes in prop::collection::vec(([0.0..9.0, 0.0..9.0, 0.0..0.5], 0.0..1.0, 1..=2_usize), 2..700),
+        ) {
+            let boxes = snapped(boxes);
+            let map = Map::over(Snapped::around(&boxes), boxes.len());
+            let mut bins = Bins::EMPTY;
+            bins.fill(&boxes, &map);
+            let Some(cut) = bins.best::<Triangles<'_>>(&map, boxes.len()) else {
+                let places = boxes.iter().map(|item| item.center(0).abs_diff(boxes[0].center(0)));
+                prop_assert!(places.max().unwrap_or(0) < 40_000, "they are far apart");
+                return Ok(());
+            };
+            let mut parted = vec![Snapped::NOTHING; boxes.len()];
+            part(&boxes, &mut parted, &cut);
+            let (left, right) = parted.split_at(cut.boxes);
+            let expected: (Vec<Snapped>, Vec<Snapped>) = boxes.iter().partition(|item| !cut.is_right(item));
+            prop_assert_eq!((left, right), (&expected.0[..], &expected.1[..]));
+            prop_assert_eq!(items(left), cut.items);
+            for (part, around) in [left, right].into_iter().zip(cut.around) {
+                let exact = Snapped::around(part);
+                prop_assert_eq!([0, 1, 2].map(|axis| exact.size(axis)), [0, 1, 2].map(|axis| around.size(axis)));
+            }
+            for axis in 0..3 {
+                for bin in 1..map.bins {
+                    let other = Cut { axis, threshold: map.threshold(axis, bin), ..cut };
+                    let (left, right): (Vec<Snapped>, Vec<Snapped>) = boxes.iter().partition(|item| !other.is_right(item));
+                    if !left.is_empty() && !right.is_empty() {
+                        prop_assert!(cost(&expected.0) + cost(&expected.1) <= cost(&left) + cost(&right));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Of boxes that all reach from end to end, the middles still tell them apart; of equal ones nothing does.
+    #[test]
+    fn middles_tell_apart_what_boxes_do_not() {
+        let boxes = snapped((0..20).map(|n| ([f64::from(n) * 1e-3, 0.0, 0.0], 9.0, 1)).collect());
+        let map = Map::over(Snapped::around(&boxes), boxes.len());
+        let mut bins = Bins::EMPTY;
+        bins.fill(&boxes, &map);
+        assert!(bins.best::<Triangles<'_>>(&map, boxes.len()).is_none());
+        let map = Map::over_centers(&boxes);
+        bins.fill(&boxes, &map);
+        assert!(bins.best::<Triangles<'_>>(&map, boxes.len()).is_some());
+        let equal = vec![boxes[0]; 20];
+        let map = Map::over_centers(&equal);
+        bins.fill(&equal, &map);
+        assert!(bins.best::<Triangles<'_>>(&map, equal.len()).is_none());
+    }
+}

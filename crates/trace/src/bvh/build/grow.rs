@@ -6,7 +6,7 @@ use super::bins::{Bins, Cut, Map};
 use super::few::{FEW, cut_few};
 use super::part::{part, sort};
 use super::snapped::{Lattice, Snapped};
-use super::tree::{Tree, Twig};
+use super::tree::{Size, Tree, Twig};
 use crate::bvh::huge::prefer_huge_pages;
 use crate::bvh::{Bounds, MAX_DEPTH};
 use rayon::prelude::*;
@@ -24,6 +24,7 @@ pub(super) enum Grown {
 /// A part of the tree that one thread built; its root is the last node.
 pub(super) struct Local {
     pub(super) twigs: Vec<Twig>,
+    pub(super) size: Size,
 }
 
 /// A set on its way into the tree.
@@ -300,8 +301,8 @@ fn local<S: Source>(
             spare.resize(boxes.len(), Snapped::NOTHING);
         }
         if bins.is_empty() {
-            // a set on a finer lattice takes a level of its own
-            bins.resize(2 * MAX_DEPTH + 1, [Bins::EMPTY; 2]);
+            // a cut takes a level, and so does a finer lattice, which comes once before a cut at most
+            bins.resize(2 * MAX_DEPTH + 2, [Bins::EMPTY; 2]);
         }
         tree.clear();
         let around = Snapped::around(boxes);
@@ -312,7 +313,7 @@ fn local<S: Source>(
             let set = Set { boxes, spare, order, first, around, lattice, map, level };
             branch(source, set, own, below, tree);
         }
-        Local { twigs: tree.twigs.clone() }
+        Local { twigs: tree.twigs.clone(), size: Size::of(&tree.twigs, S::PACK) }
     })
 }
 

@@ -14,7 +14,7 @@ use bytemuck::Zeroable;
 use glam::DVec3;
 use grow::{Grown, Local, grow};
 use rayon::prelude::*;
-use tree::{Tree, Twig, spread};
+use tree::{Size, Tree, Twig, spread};
 
 /// What a hierarchy is built over.
 pub(crate) trait Source: Sync {
@@ -91,19 +91,16 @@ fn build_all<S: Source>(source: &S, count: usize) -> (Bvh, Vec<S::Pack>) {
     let mut top = Tree::NEW;
     let mut locals = Vec::new();
     gather(grown, &mut top, &mut locals);
-    let sizes: Vec<Size> = if locals.len() == 1 {
-        locals.iter().map(|local| Size::of::<S>(&local.twigs)).collect()
-    } else {
-        locals.par_iter().map(|local| Size::of::<S>(&local.twigs)).collect()
-    };
-    let top_nodes = Size::of::<S>(&top.twigs).nodes.max(usize::from(locals.len() == 1 && sizes[0].nodes == 0));
-    let whole = sizes.iter().fold(Size { nodes: top_nodes, packs: 0 }, |all, size| all.and(size));
-    let mut nodes = bytemuck::allocation::zeroed_vec::<Node>(whole.nodes);
-    let mut packs = bytemuck::allocation::zeroed_vec::<S::Pack>(whole.packs);
+    let inner = if locals.len() > 1 { Size::of(&top.twigs, S::PACK).nodes } else { 0 };
+    let size = locals.iter().fold(Size { nodes: inner, packs: 0 }, |all, local| all.and(local.size));
+    // a leaf alone hangs on a node too
+    let top_nodes = if size.nodes == 0 { 1 } else { inner };
+    let mut nodes = bytemuck::allocation::zeroed_vec::<Node>(size.nodes.max(1));
+    let mut packs = bytemuck::allocation::zeroed_vec::<S::Pack>(size.packs);
     prefer_huge_pages(&nodes);
     prefer_huge_pages(&packs);
     let frame = Frame::around(bounds);
-    let places = fill(source, &frame, &order, &locals, &sizes, &mut nodes[top_nodes..], top_nodes, &mut packs);
+    let places = fill(source, &frame, &order, &locals, &mut nodes, top_nodes, &mut packs);
     let mut writer = Writer { frame: &frame, nodes: &mut nodes[..top_nodes], base: 0, next: 1 };
     if locals.len() > 1 {
         writer.node(&top.twigs, top.last(), 0, &mut |twig| places[twig.first as usize]);
@@ -129,53 +126,24 @@ fn gather(grown: Grown, top: &mut Tree, locals: &mut Vec<Local>) -> u32 {
     }
 }
 
-/// How much room a part of the tree takes.
-#[derive(Clone, Copy, Debug, Default)]
-struct Size {
-    nodes: usize,
-    packs: usize,
-}
-
-impl Size {
-    fn and(self, other: &Size) -> Size {
-        Size { nodes: self.nodes + other.nodes, packs: self.packs + other.packs }
-    }
-
-    fn of<S: Source>(twigs: &[Twig]) -> Size {
-        let mut size = Size::default();
-        let mut open = vec![twigs.len() as u32 - 1];
-        while let Some(node) = open.pop() {
-            let twig = &twigs[node as usize];
-            if twig.is_leaf() {
-                size.packs += (twig.count as usize).div_ceil(S::PACK);
-            } else {
-                size.nodes += 1;
-                open.extend_from_slice(spread(twigs, node).nodes());
-            }
-        }
-        size
-    }
-}
-
 /// Writes nodes and packs of all locals, each by itself, and gives what their parents have to know.
-#[expect(clippy::too_many_arguments, reason = "called once")]
 fn fill<S: Source>(
     source: &S,
     frame: &Frame,
     order: &[u32],
     locals: &[Local],
-    sizes: &[Size],
-    mut nodes: &mut [Node],
+    nodes: &mut [Node],
     first_node: usize,
     mut packs: &mut [S::Pack],
 ) -> Vec<Place> {
     let mut jobs = Vec::with_capacity(locals.len());
     let mut base = Size { nodes: first_node, packs: 0 };
-    for (local, size) in locals.iter().zip(sizes) {
-        let (own_nodes, other_nodes) = nodes.split_at_mut(size.nodes);
-        let (own_packs, other_packs) = packs.split_at_mut(size.packs);
+    let mut nodes = &mut nodes[first_node..];
+    for local in locals {
+        let (own_nodes, other_nodes) = nodes.split_at_mut(local.size.nodes);
+        let (own_packs, other_packs) = packs.split_at_mut(local.size.packs);
         jobs.push((local, base, own_nodes, own_packs));
-        base = base.and(size);
+        base = base.and(local.size);
         (nodes, packs) = (other_nodes, other_packs);
     }
     let fill = |(local, base, nodes, packs): (&Local, Size, &mut [Node], &mut [S::Pack])| {

@@ -146,3 +146,133 @@ impl Spread {
         &self.nodes[..self.len]
     }
 }
+
+/// How much room a tree takes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Size {
+    /// Wide nodes.
+    pub(super) nodes: usize,
+    /// Packs in its leaves.
+    pub(super) packs: usize,
+}
+
+impl Size {
+    pub(super) fn and(self, other: Size) -> Size {
+        Size { nodes: self.nodes + other.nodes, packs: self.packs + other.packs }
+    }
+
+    /// The room of the tree whose root is the last node.
+    pub(super) fn of(twigs: &[Twig], pack: usize) -> Size {
+        let mut size = Size::default();
+        let mut open = vec![twigs.len() as u32 - 1];
+        while let Some(node) = open.pop() {
+            let twig = &twigs[node as usize];
+            if twig.is_leaf() {
+                size.packs += (twig.count as usize).div_ceil(pack);
+            } else {
+                size.nodes += 1;
+                open.extend_from_slice(spread(twigs, node).nodes());
+            }
+        }
+        size
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A binary tree with an area for each node and packs for each leaf.
+    #[derive(Clone, Debug)]
+    enum Plain {
+        Leaf { area: f32, packs: usize },
+        Fork { area: f32, children: Box<[Plain; 2]> },
+    }
+
+    impl Plain {
+        fn area(&self) -> f32 {
+            match self {
+                Plain::Leaf { area, .. } | Plain::Fork { area, .. } => *area,
+            }
+        }
+
+        fn packs(&self) -> usize {
+            match self {
+                Plain::Leaf { packs, .. } => *packs,
+                Plain::Fork { children, .. } => children.iter().map(Plain::packs).sum(),
+            }
+        }
+
+        /// The least cost in at most so many places of a wide node: all ways are tried.
+        fn cost(&self, places: usize) -> f32 {
+            let as_leaf = if self.packs() <= Child::MOST { self.area() * self.packs() as f32 } else { f32::INFINITY };
+            let Plain::Fork { area, children } = self else { return as_leaf };
+            let split = |places: usize| {
+                (1..places)
+                    .map(|given| children[0].cost(given) + children[1].cost(places - given))
+                    .fold(f32::INFINITY, f32::min)
+            };
+            let alone = as_leaf.min(area + split(WIDTH));
+            if places == 1 { alone } else { alone.min(split(places)) }
+        }
+
+        fn grow(&self, tree: &mut Tree, first: &mut usize) -> u32 {
+            match self {
+                Plain::Leaf { area, packs } => {
+                    *first += packs;
+                    tree.leaf(*first - packs, *packs, *packs, *area)
+                }
+                Plain::Fork { area, children } => {
+                    let start = *first;
+                    let left = children[0].grow(tree, first);
+                    children[1].grow(tree, first);
+                    tree.fork(left, start, *first - start, *first - start, *area)
+                }
+            }
+        }
+    }
+
+    fn plain() -> impl Strategy<Value = Plain> {
+        // small integers, so that no sum is rounded
+        let leaf = (1..40_u8, 1..3_usize).prop_map(|(area, packs)| Plain::Leaf { area: f32::from(area), packs });
+        leaf.prop_recursive(4, 24, 2, |inner| {
+            (inner.clone(), inner, 0..40_u8).prop_map(|(left, right, more)| {
+                let area = left.area().max(right.area()) + f32::from(more);
+                Plain::Fork { area, children: Box::new([left, right]) }
+            })
+        })
+    }
+
+    /// What the wide nodes of the plan cost.
+    fn planned(tree: &Tree, areas: &dyn Fn(u32) -> f32, node: u32) -> f32 {
+        let twig = &tree.twigs[node as usize];
+        if twig.is_leaf() {
+            return areas(node) * twig.count as f32;
+        }
+        let spread = spread(&tree.twigs, node);
+        assert!((2..=WIDTH).contains(&spread.nodes().len()));
+        areas(node) + spread.nodes().iter().map(|child| planned(tree, areas, *child)).sum::<f32>()
+    }
+
+    fn areas(plain: &Plain, areas: &mut Vec<f32>) {
+        if let Plain::Fork { children, .. } = plain {
+            children.iter().for_each(|child| self::areas(child, areas));
+        }
+        areas.push(plain.area());
+    }
+
+    proptest! {
+        #[test]
+        fn no_other_way_costs_less(plain in plain()) {
+            let mut tree = Tree::NEW;
+            let root = plain.grow(&mut tree, &mut 0);
+            let mut known = Vec::new();
+            areas(&plain, &mut known);
+            let cost = planned(&tree, &|node| known[node as usize], root);
+            prop_assert_eq!(cost, plain.cost(1));
+            let size = Size::of(&tree.twigs, 1);
+            prop_assert_eq!(size.packs, plain.packs());
+        }
+    }
+}
