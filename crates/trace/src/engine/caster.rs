@@ -122,7 +122,7 @@ impl<B: Backend> Step<B> for Ask<'_> {
             packet.mask &= distance.gt(B::Real::splat(0.0)).bits();
             rays.push(ToLamp { packet, distance });
         }
-        let mut bits: PerPacket<u8> = PerPacket::new();
+        let mut bits = [0; PACKETS];
         B::enter(Blocked { world: self.world, lamp: self.lamp, rays: &rays, blocked: &mut bits });
         for (bits, blocked) in bits.iter().zip(self.blocked.chunks_mut(8)) {
             blocked.iter_mut().enumerate().for_each(|(lane, blocked)| *blocked = bits >> lane & 1 == 1);
