@@ -7,12 +7,98 @@
 
 use super::lanes::{Lanes, Mask, Single};
 use super::packet::PACKETS;
-use super::vector::Vector;
+use super::vector::{Vector, lanes};
 use crate::world::{FEW, Few};
+use glam::DVec3;
 
 /// Of `S` a length may be off, and of `S²` a square.
 const LENGTH: f32 = 1.0 / 262_144.0;
 const SQUARE: f32 = 1.0 / 65_536.0;
+
+/// Where the rays of a packet start, in f32 and relative to the balls' origin.
+#[derive(Clone, Copy)]
+pub(super) struct Start<L: Lanes> {
+    origin: [L::Single; 3],
+    /// What a length may be off, and a square.
+    length: L::Single,
+    square: L::Single,
+}
+
+impl<L: Lanes> Start<L> {
+    /// Nowhere in particular.
+    #[inline(always)]
+    pub(super) fn none() -> Start<L> {
+        let zero = L::Single::splat(0.0);
+        Start { origin: [zero; 3], length: zero, square: zero }
+    }
+
+    /// In f32 what is given in f64.
+    #[inline(always)]
+    pub(super) fn at(few: &Few, origin: Vector<L::Real>) -> Start<L> {
+        let origin = narrow::<L>(origin - Vector::splat(few.origin()));
+        let greatest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
+        let s = greatest + L::Single::splat(spread(few));
+        Start { origin, length: s * L::Single::splat(LENGTH), square: s * s * L::Single::splat(SQUARE) }
+    }
+}
+
+/// What a ball adds to `S`.
+#[inline(always)]
+fn spread(few: &Few) -> f32 {
+    few.extent() + few.margin() * (1.0 / LENGTH)
+}
+
+/// A box around the starts of many rays, lane by lane.
+pub(super) struct Hull<L: Lanes> {
+    low: [L::Single; 3],
+    high: [L::Single; 3],
+}
+
+impl<L: Lanes> Hull<L> {
+    /// The box around nothing.
+    #[inline(always)]
+    pub(super) fn empty() -> Hull<L> {
+        let most = L::Single::splat(f32::INFINITY);
+        Hull { low: [most; 3], high: [-most; 3] }
+    }
+
+    /// Takes in the starts of some lanes.
+    #[inline(always)]
+    pub(super) fn add(&mut self, start: &Start<L>, lanes: u8) {
+        let lanes = <L::Single as Single>::Mask::from_bits(lanes);
+        for axis in 0..3 {
+            let (low, high) = (self.low[axis], self.high[axis]);
+            self.low[axis] = L::Single::select(lanes, start.origin[axis].min(low), low);
+            self.high[axis] = L::Single::select(lanes, start.origin[axis].max(high), high);
+        }
+    }
+
+    /// The balls that segments between the starts and a lamp may meet: those near the segment to the middle of a ball
+    /// around all starts.
+    #[inline(always)]
+    pub(super) fn between(&self, few: &Few, lamp: DVec3) -> u8 {
+        let (mut low, mut high) = (DVec3::ZERO, DVec3::ZERO);
+        for axis in 0..3 {
+            (low[axis], high[axis]) = (f64::from(self.low[axis].least()), f64::from(self.high[axis].greatest()));
+        }
+        let s = low.abs().max(high.abs()).max_element() + f64::from(spread(few));
+        let around = (high - low).length() / 2.0 + s * f64::from(LENGTH);
+        let lamp = lamp - few.origin();
+        let way = (low + high) / 2.0 - lamp;
+        let squared = way.length_squared();
+        let mut between = 0;
+        for (number, ball) in few.balls().iter().enumerate() {
+            let [x, y, z] = ball.center;
+            let center = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) - lamp;
+            let share = if squared > 0.0 { (center.dot(way) / squared).max(0.0).min(1.0) } else { 0.0 };
+            let reach = f64::from(ball.radius) + around;
+            // asked so that numbers that overflow leave nothing out
+            let beside = (center - way * share).length_squared() > reach * reach;
+            between |= u8::from(!beside) << number;
+        }
+        between
+    }
+}
 
 /// The rays of each packet that may meet each body.
 pub(super) struct Aimed {
@@ -23,23 +109,21 @@ impl Aimed {
     /// No ray at any body.
     pub(super) const NONE: Aimed = Aimed { lanes: [[0; PACKETS]; FEW] };
 
-    /// Aims the rays `mask` of a packet, which look as far as `limit`.
+    /// Aims the rays `mask` of a packet, which look as far as `limit`, at some balls.
     #[inline(always)]
     pub(super) fn aim<L: Lanes>(
         &mut self,
-        few: &Few,
+        (few, balls): (&Few, u8),
         packet: usize,
-        (origin, direction): (Vector<L::Real>, Vector<L::Real>),
+        (start, direction): (&Start<L>, Vector<L::Real>),
         limit: L::Real,
         mask: u8,
     ) {
-        let origin = narrow::<L>(origin - Vector::splat(few.origin()));
+        let Start { origin, length, square } = *start;
         let direction = narrow::<L>(direction);
-        let greatest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
-        let s = greatest + L::Single::splat(few.extent() + few.margin() * (1.0 / LENGTH));
-        let (length, square) = (s * L::Single::splat(LENGTH), s * s * L::Single::splat(SQUARE));
         let limit = L::narrow(limit) + length;
-        for (lanes, ball) in self.lanes.iter_mut().zip(few.balls()) {
+        for number in lanes(balls) {
+            let ball = &few.balls()[number];
             let mut sc = [length; 3];
             for axis in 0..3 {
                 sc[axis] = L::Single::splat(ball.center[axis]) - origin[axis];
@@ -50,7 +134,7 @@ impl Aimed {
             let beside = q.mul_sub(q, dot::<L>(&sc, &sc)).lt(-(L::Single::splat(ball.square) + square));
             let behind = q.lt(-reach);
             let beyond = (q - limit).gt(reach);
-            lanes[packet] = !(beside | behind | beyond).bits() & mask;
+            self.lanes[number][packet] = !(beside | behind | beyond).bits() & mask;
         }
     }
 }

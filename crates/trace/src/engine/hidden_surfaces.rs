@@ -1,7 +1,7 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
 use super::dispatch::{Backend, Step};
-use super::few::Aimed;
+use super::few::{Aimed, Start};
 use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
@@ -63,7 +63,8 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
         let mut aimed = Aimed::NONE;
         for (place, (packet, hits)) in block.packets.iter().zip(hits.iter()).enumerate() {
             if packet.mask != 0 {
-                aimed.aim::<L>(few, place, (packet.origin, packet.direction), hits.t, packet.mask);
+                let start = Start::at(few, packet.origin);
+                aimed.aim::<L>((few, few.all()), place, (&start, packet.direction), hits.t, packet.mask);
             }
         }
         for (&body, rays) in few.numbers().iter().zip(&aimed.lanes) {

@@ -5,7 +5,7 @@ use super::hidden_surfaces::Nearest;
 use super::lanes::{Mask, Real};
 use super::light::{add, add_lamp, clamp01, select, splat};
 use super::media::Stacks;
-use super::packet::{Block, Colors, Hits, PACKETS, Packet, PerPacket};
+use super::packet::{Block, Colors, Hits, PACKETS, PerPacket};
 use super::shadows::{Blocked, ToLamp};
 use super::surface_point::Points;
 use super::vector::{Vector, mask};
@@ -142,14 +142,20 @@ impl Path<'_> {
         let world = self.world;
         let compose = world.environment().compose;
         let zero = B::Real::splat(0.0);
-        let mut all_rays = [ToLamp::<B> { packet: Packet::none(), distance: zero }; PACKETS];
-        // where in the block each of the rays' packets is
-        let mut places = [0; PACKETS];
+        // in place, and what all lamps have in common once: packets are large
+        let mut rays = [ToLamp::<B>::none(); PACKETS];
+        let rays = &mut rays[..points.len()];
+        for (ray, at) in rays.iter_mut().zip(points) {
+            if at.mask != 0 {
+                ray.start_at(world, at.point, &at.body);
+            }
+        }
         for lamp in world.lamps() {
             let position = Vector::splat(lamp.position);
             let farthest = B::Real::splat(lamp.position.abs().max_element());
-            let mut count = 0;
-            for (place, (packet, at)) in block.packets.iter().zip(points).enumerate() {
+            let mut any = 0;
+            for ((packet, at), ray) in block.packets.iter().zip(points).zip(rays.iter_mut()) {
+                ray.packet.mask = 0;
                 if at.mask == 0 {
                     continue;
                 }
@@ -167,25 +173,21 @@ impl Path<'_> {
                     lit = self.spend::<B>(packet.place, lit);
                     self.counts.shadow += u64::from(lit.count_ones());
                 }
-                if lit != 0 {
-                    // in place: packets are large
-                    let ray = &mut all_rays[count];
-                    (ray.packet.origin, ray.packet.direction, ray.packet.start) = (at.point, to_lamp, at.body);
-                    (ray.packet.mask, ray.distance) = (lit, distance);
-                    places[count] = place;
-                    count += 1;
-                }
+                (ray.packet.direction, ray.packet.mask, ray.distance) = (to_lamp, lit, distance);
+                any |= lit;
             }
-            if count == 0 {
+            if any == 0 {
                 continue;
             }
-            let rays = &all_rays[..count];
             let mut blocked = [0; PACKETS];
             if self.settings.steps.shadows {
-                B::enter(Blocked { world, lamp: lamp.position, rays, blocked: &mut blocked });
+                B::enter(Blocked { world, lamp: lamp.position, rays: &*rays, blocked: &mut blocked });
             }
-            for ((ray, &place), blocked) in rays.iter().zip(&places).zip(&blocked) {
+            for (place, (ray, blocked)) in rays.iter().zip(&blocked).enumerate() {
                 let lit = ray.packet.mask & !blocked;
+                if lit == 0 {
+                    continue;
+                }
                 for &(surface, group) in &groups[place] {
                     if lit & group == 0 {
                         continue;

@@ -4,7 +4,7 @@
 //! What is left is decided for the rays from the points, as the reference does.
 
 use super::dispatch::{Backend, Step};
-use super::few::Aimed;
+use super::few::{Aimed, Hull, Start};
 use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
 use super::intersect::{facet, plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
@@ -22,6 +22,25 @@ use std::ops::Range;
 pub(super) struct ToLamp<L: Lanes> {
     pub(super) packet: Packet<L>,
     pub(super) distance: L::Real,
+    /// The points in f32, in a world of few bodies.
+    start: Start<L>,
+}
+
+impl<L: Lanes> ToLamp<L> {
+    /// No rays.
+    #[inline(always)]
+    pub(super) fn none() -> ToLamp<L> {
+        ToLamp { packet: Packet::none(), distance: L::Real::splat(0.0), start: Start::none() }
+    }
+
+    /// Starts at points of bodies, to look for lamps from there.
+    #[inline(always)]
+    pub(super) fn start_at(&mut self, world: &World, points: Vector<L::Real>, bodies: &[u32; 8]) {
+        (self.packet.origin, self.packet.start) = (points, *bodies);
+        if let Some(few) = world.few() {
+            self.start = Start::at(few, points);
+        }
+    }
 }
 
 /// Finds the lanes of each packet whose rays meet a body before the lamp.
@@ -51,6 +70,9 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &[ToLamp<L>], blocked: 
             }
             let normal = (p1 - p0).cross(p2 - p0);
             for (ray, blocked) in rays.iter().zip(blocked.iter_mut()) {
+                if ray.packet.mask & !*blocked == 0 {
+                    continue;
+                }
                 let tried = ray.packet.mask & !*blocked & !ray.packet.starts_on(number, &[]);
                 if tried != 0 {
                     let (met, t) = plane::<L>(ray.packet.origin, ray.packet.direction, *p0, normal);
@@ -60,12 +82,19 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &[ToLamp<L>], blocked: 
         }
     }
     if let Some(few) = world.few() {
+        let mut hull = Hull::empty();
+        for (ray, blocked) in rays.iter().zip(blocked.iter()) {
+            hull.add(&ray.start, ray.packet.mask & !blocked);
+        }
+        let between = hull.between(few, lamp);
+        if between == 0 {
+            return;
+        }
         let mut aimed = Aimed::NONE;
         for (place, (ray, blocked)) in rays.iter().zip(blocked.iter()).enumerate() {
             let open = ray.packet.mask & !blocked;
             if open != 0 {
-                let (origin, direction) = (ray.packet.origin, ray.packet.direction);
-                aimed.aim::<L>(few, place, (origin, direction), ray.distance, open);
+                aimed.aim::<L>((few, between), place, (&ray.start, ray.packet.direction), ray.distance, open);
             }
         }
         for (&body, asked) in few.numbers().iter().zip(&aimed.lanes) {
@@ -95,7 +124,7 @@ fn try_body<L: Backend>(
 ) {
     match &world.body(number).geometry {
         Geometry::Sphere { center, radius } => {
-            for (place, ToLamp { packet, distance }) in rays.iter().enumerate() {
+            for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
                 let open = asked[place] & !blocked[place];
                 if open == 0 {
                     continue;
@@ -232,7 +261,7 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
 impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
     #[inline(always)]
     fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let ToLamp { packet, distance } = &self.rays[place];
+        let ToLamp { packet, distance, .. } = &self.rays[place];
         let may = may & !self.blocked[place];
         if may == 0 {
             return false;

@@ -82,6 +82,11 @@ impl Few {
         &self.numbers
     }
 
+    /// All of them, one bit each.
+    pub(crate) fn all(&self) -> u8 {
+        ((1_u32 << self.balls.len()) - 1) as u8
+    }
+
     /// The balls around them.
     pub(crate) fn balls(&self) -> &[Ball] {
         &self.balls
