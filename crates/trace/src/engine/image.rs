@@ -177,10 +177,11 @@ impl Image<'_> {
         let k = self.camera.samples();
         let (row, column) = (sample / k, sample % k);
         let offset = |number: u32| (f64::from(number) + 0.5) / f64::from(k);
+        let offset = (offset(column), offset(row));
         let (mut x, mut y) = ([0.5; 8], [0.5; 8]);
         for (lane, &(i, j)) in pixels.iter().enumerate() {
-            x[lane] = f64::from(i) + offset(column);
-            y[lane] = f64::from(j) + offset(row);
+            x[lane] = f64::from(i) + offset.0;
+            y[lane] = f64::from(j) + offset.1;
         }
         let x = B::Real::load(&x) / B::Real::splat(f64::from(self.camera.width()));
         let y = B::Real::load(&y) / B::Real::splat(f64::from(self.camera.height()));
