@@ -7,7 +7,7 @@
 
 use super::lanes::{Lanes, Mask, Single};
 use super::packet::PACKETS;
-use super::vector::{Vector, lanes};
+use super::vector::Vector;
 use crate::world::{FEW, Few};
 use glam::DVec3;
 
@@ -90,7 +90,7 @@ impl<L: Lanes> Hull<L> {
         for (number, ball) in few.balls().iter().enumerate() {
             let [x, y, z] = ball.center;
             let center = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) - lamp;
-            let share = if squared > 0.0 { (center.dot(way) / squared).max(0.0).min(1.0) } else { 0.0 };
+            let share = if squared > 0.0 { (center.dot(way) / squared).clamp(0.0, 1.0) } else { 0.0 };
             let reach = f64::from(ball.radius) + around;
             // asked so that numbers that overflow leave nothing out
             let beside = (center - way * share).length_squared() > reach * reach;
@@ -122,8 +122,10 @@ impl Aimed {
         let Start { origin, length, square } = *start;
         let direction = narrow::<L>(direction);
         let limit = L::narrow(limit) + length;
-        for number in lanes(balls) {
-            let ball = &few.balls()[number];
+        for (number, (ball, lanes)) in few.balls().iter().zip(&mut self.lanes).enumerate() {
+            if balls >> number & 1 == 0 {
+                continue;
+            }
             let mut sc = [length; 3];
             for axis in 0..3 {
                 sc[axis] = L::Single::splat(ball.center[axis]) - origin[axis];
@@ -134,7 +136,7 @@ impl Aimed {
             let beside = q.mul_sub(q, dot::<L>(&sc, &sc)).lt(-(L::Single::splat(ball.square) + square));
             let behind = q.lt(-reach);
             let beyond = (q - limit).gt(reach);
-            self.lanes[number][packet] = !(beside | behind | beyond).bits() & mask;
+            lanes[packet] = !(beside | behind | beyond).bits() & mask;
         }
     }
 }
