@@ -17,7 +17,8 @@ fn meshes(scene: &Scene) -> impl Iterator<Item = (&Object, &Mesh)> {
         | Shape::Plane { .. }
         | Shape::Facet { .. }
         | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. } => None,
+        | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. } => None,
     })
 }
 

@@ -1,5 +1,6 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
+use super::cone::{ConeHits, TryCone};
 use super::dispatch::{Backend, Step};
 use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
@@ -19,7 +20,7 @@ pub(super) const UPWARDS: f32 = 1.0 + 1.0 / 4_194_304.0;
 /// Finds what every ray meets first, leaving out the surface that it starts on.
 pub(super) struct Nearest<'s, B: Backend> {
     pub(super) world: &'s World,
-    /// The spheres and planes that primary rays start on.
+    /// The spheres, planes and cones that primary rays start on.
     pub(super) eye_lies_on: &'s [u32],
     pub(super) block: &'s Block<B>,
     /// One for each packet.
@@ -144,6 +145,22 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
                 }
                 Geometry::Facets(facets) => {
                     L::enter(OnFacets { facets, body: number, block: self.block, hits: self.hits, beam, packets });
+                }
+                Geometry::Cone(cone) => {
+                    for place in lanes(packets) {
+                        let packet = &self.block.packets[place];
+                        let starts_here = packet.starts_on(number, self.eye_lies_on);
+                        let mut found = ConeHits::none();
+                        let (origin, direction) = (packet.origin, packet.direction);
+                        L::enter(TryCone { origin, direction, cone, starts_here, hits: &mut found });
+                        let mask = beam.packets[place].mask;
+                        if found.lanes() & mask != 0 {
+                            for (face, met) in (0..).zip(found.faces) {
+                                self.hits[place].take(met & mask, found.t, None, number, face);
+                            }
+                            beam.shorten(place, self.hits[place].farthest(mask));
+                        }
+                    }
                 }
                 // planes have no bounds
                 Geometry::Plane { .. } => {}

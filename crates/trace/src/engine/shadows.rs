@@ -3,6 +3,7 @@
 //! Boxes are culled for rays from the lamp: they have their start in common, so a beam of them is narrow where it begins.
 //! What is left is decided for the rays from the points, as the reference does.
 
+use super::cone::{ConeHits, TryCone};
 use super::dispatch::{Backend, Step};
 use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
 use super::intersect::{facet, plane, sphere};
@@ -123,6 +124,21 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
                     let (lamp, rays) = (self.lamp, self.rays);
                     L::enter(OnFacets { facets, body: number, lamp, rays, blocked: self.blocked, beam, packets });
                     for place in lanes(packets) {
+                        beam.shorten(place, self.limit(place, beam.packets[place].mask));
+                    }
+                }
+                Geometry::Cone(cone) => {
+                    for place in lanes(packets) {
+                        let ToLamp { packet, distance } = &self.rays[place];
+                        let starts_here = packet.starts_on(number, &[]);
+                        let mut found = ConeHits::none();
+                        let (origin, direction) = (packet.origin, packet.direction);
+                        L::enter(TryCone { origin, direction, cone, starts_here, hits: &mut found });
+                        let mut met = found.lanes() & packet.mask & found.t.lt(*distance).bits();
+                        if met != 0 && cone.lies_on(self.lamp) {
+                            met &= !found.at_lamp(*distance);
+                        }
+                        self.blocked[place] |= met;
                         beam.shorten(place, self.limit(place, beam.packets[place].mask));
                     }
                 }
