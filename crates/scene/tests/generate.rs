@@ -199,7 +199,7 @@ fn checksum(scene: &Scene) -> u64 {
             Shape::Cube { center, edge, rotation } => {
                 center.to_array().into_iter().chain(rotation.to_array()).chain([*edge]).for_each(&mut add);
             }
-            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } => {}
+            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } | Shape::Cone { .. } => {}
         }
     }
     sum
