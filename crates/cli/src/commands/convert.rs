@@ -133,7 +133,8 @@ fn with_files_of(output: &Path, scene: &Scene, options: LoadOptions) -> Scene {
         | Shape::Plane { .. }
         | Shape::Facet { .. }
         | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. } => Arc::clone(object),
+        | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. } => Arc::clone(object),
     });
     Scene { objects: objects.collect(), ..scene.clone() }
 }

@@ -1,5 +1,6 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
+use super::cone::{ConeHits, TryCone};
 use super::dispatch::{Backend, Step};
 use super::few::{Aimed, Start};
 use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
@@ -20,7 +21,7 @@ pub(super) const UPWARDS: f32 = 1.0 + 1.0 / 4_194_304.0;
 /// Finds what every ray meets first, leaving out the surface that it starts on.
 pub(super) struct Nearest<'s, B: Backend> {
     pub(super) world: &'s World,
-    /// The spheres and planes that primary rays start on.
+    /// The spheres, planes and cones that primary rays start on.
     pub(super) eye_lies_on: &'s [u32],
     pub(super) block: &'s Block<B>,
     /// One for each packet.
@@ -103,6 +104,22 @@ fn try_body<L: Backend>(
         Geometry::Facets(facets) => {
             if *rays != [0; PACKETS] {
                 L::enter(OnFacets { facets, body: number, block, hits, rays });
+            }
+        }
+        Geometry::Cone(cone) => {
+            for (place, packet) in block.packets.iter().enumerate() {
+                if rays[place] == 0 {
+                    continue;
+                }
+                let starts_here = packet.starts_on(number, eye_lies_on);
+                let mut found = ConeHits::none();
+                let (origin, direction) = (packet.origin, packet.direction);
+                L::enter(TryCone { origin, direction, cone, starts_here, hits: &mut found });
+                if found.lanes() & rays[place] != 0 {
+                    for (face, met) in (0..).zip(found.faces) {
+                        hits[place].take(met & rays[place], found.t, None, number, face);
+                    }
+                }
             }
         }
         // planes have no bounds

@@ -3,6 +3,7 @@
 //! Boxes are culled for rays from the lamp: they have their start in common, so a beam of them is narrow where it begins.
 //! What is left is decided for the rays from the points, as the reference does.
 
+use super::cone::{ConeHits, TryCone};
 use super::dispatch::{Backend, Step};
 use super::few::{Aimed, Hull, Start};
 use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
@@ -143,6 +144,23 @@ fn try_body<L: Backend>(
         Geometry::Facets(facets) => {
             if *asked != [0; PACKETS] {
                 L::enter(OnFacets { facets, body: number, lamp, rays, blocked, asked });
+            }
+        }
+        Geometry::Cone(cone) => {
+            for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
+                let open = asked[place] & !blocked[place];
+                if open == 0 {
+                    continue;
+                }
+                let starts_here = packet.starts_on(number, &[]);
+                let mut found = ConeHits::none();
+                let (origin, direction) = (packet.origin, packet.direction);
+                L::enter(TryCone { origin, direction, cone, starts_here, hits: &mut found });
+                let mut met = found.lanes() & open & found.t.lt(*distance).bits();
+                if met != 0 && cone.lies_on(lamp) {
+                    met &= !found.at_lamp(*distance);
+                }
+                blocked[place] |= met;
             }
         }
         // planes have no bounds

@@ -45,7 +45,8 @@ impl World {
             | Shape::Plane { .. }
             | Shape::Facet { .. }
             | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. } => None,
+            | Shape::Parallelepiped { .. }
+            | Shape::Cone { .. } => None,
         }));
         let before = Before::of(self, &objects);
         let geometries: Vec<Geometry> = objects
@@ -70,7 +71,7 @@ impl World {
     pub(crate) fn packs_in_use(&self) -> Vec<&Packed> {
         let facets = self.bodies.iter().filter_map(|body| match &body.geometry {
             Geometry::Facets(facets) => Some(&**facets.packed()),
-            Geometry::Sphere { .. } | Geometry::Plane { .. } => None,
+            Geometry::Sphere { .. } | Geometry::Plane { .. } | Geometry::Cone(_) => None,
         });
         facets.collect()
     }
