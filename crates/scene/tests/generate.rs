@@ -246,8 +246,8 @@ fn the_same_size_is_the_same_scene_on_every_machine() {
         (Family::Knot, 12, 0x777e_9380_c3ae_9907),
         (Family::Pebble, 12, 0xef52_a2bc_a0b1_a809),
         (Family::Nest, 12, 0x32c0_923c_033f_41b6),
-        (Family::Lattice, 3, 0),
-        (Family::Sponge, 2, 0),
+        (Family::Lattice, 3, 0x2e36_cff7_9f03_1065),
+        (Family::Sponge, 2, 0xc0f4_bfdb_e30f_f379),
     ];
     let found = sums.map(|(family, size, _)| {
         let (first, second) = (scene(family, size), scene(family, size));

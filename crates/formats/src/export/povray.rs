@@ -26,7 +26,7 @@ pub fn write(scene: &Scene, view: &View, out: &mut dyn Write) -> io::Result<()> 
     if !scene.name.is_empty() {
         writeln!(out, "// {}", scene.name.replace(char::is_control, " "))?;
     }
-    writeln!(out, "// povray +W{} +H{} +FN -A THIS_FILE", view.width, view.height)?;
+    writeln!(out, "// povray +W{} +H{} -A File_Gamma=1 THIS_FILE", view.width, view.height)?;
     writeln!(out, "#version 3.7;")?;
     // its first level is the primary ray's own
     writeln!(
@@ -93,7 +93,8 @@ pub fn losses(scene: &Scene, view: &View) -> Vec<Loss> {
 }
 
 fn vector(vector: DVec3) -> String {
-    let [x, y, z] = vector.to_array().map(shortest);
+    // adding zero makes -0 and 0 the same
+    let [x, y, z] = vector.to_array().map(|coordinate| shortest(coordinate + 0.0));
     format!("<{x}, {y}, {z}>")
 }
 
@@ -105,6 +106,3 @@ fn channels(values: Rgb) -> String {
 fn mean(values: Rgb) -> f64 {
     if values.is_uniform() { values.r } else { values.to_array().iter().sum::<f64>() / 3.0 }
 }
-
-#[cfg(test)]
-mod tests;

@@ -25,7 +25,7 @@ pub(super) fn sponge(size: u32) -> (Scene, View) {
         ]),
         objects: list([object("sponge", "sandstone", mesh(positions, facets))]),
     };
-    (scene, view([640, 480], DVec3::new(2.3, 1.9, 3.4), DVec3::new(0.0, -0.05, 0.0), DVec3::Y, 42.0))
+    (scene, view([640, 480], DVec3::new(2.9, 2.3, 4.2), DVec3::new(0.0, -0.04, 0.0), DVec3::Y, 42.0))
 }
 
 /// Whether a cell of the grid of `3ⁿ` cells is left: in no digit to the base 3 are two of its coordinates 1.
