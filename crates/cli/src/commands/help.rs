@@ -7,7 +7,8 @@ use lancer_words::Lang;
 use lancer_words::cli::help;
 
 /// The commands that can be asked about.
-const COMMANDS: [&str; 9] = ["show", "check", "convert", "explain", "diff", "bench", "schema", "completions", "man"];
+const COMMANDS: [&str; 10] =
+    ["show", "check", "convert", "explain", "diff", "generate", "bench", "schema", "completions", "man"];
 
 pub(crate) fn command(lang: Lang) -> Command {
     Command::new("help").about(help::about_help(lang)).arg(command_argument(lang))

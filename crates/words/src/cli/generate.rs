@@ -12,12 +12,12 @@ phrases! {
     after_generate(list) {
         "Names, their sizes, and the size where none is given:
 {list}
-The view goes beside the scene: lattice.xml or lattice.lancer has lattice.view.xml. A .pov file holds its camera
-itself; .obj, .gltf and .glb hold objects alone.",
+The view goes beside the scene: lattice.xml or lattice.lancer has lattice.view.xml.
+A .pov file holds its camera itself; .obj, .gltf and .glb hold objects alone.",
         "Les noms, leurs tailles, et la taille si aucune n'est donnée :
 {list}
-La vue va à côté de la scène : lattice.xml ou lattice.lancer a lattice.view.xml. Un fichier .pov contient lui-même sa
-caméra ; .obj, .gltf et .glb ne contiennent que des objets.",
+La vue va à côté de la scène : lattice.xml ou lattice.lancer a lattice.view.xml.
+Un fichier .pov contient lui-même sa caméra ; .obj, .gltf et .glb ne contiennent que des objets.",
     }
     /// NAME
     name_help() { "Which scene, see below", "Quelle scène, voir plus bas" }
