@@ -18,6 +18,8 @@ mod words;
 
 pub use problem::{MeshFault, MeshProblem};
 
+pub(crate) use triangulate::triangulate;
+
 use builder::Builder;
 use lancer_scene::MeshGeometry;
 use std::path::Path;
