@@ -74,6 +74,9 @@ fn a_mesh_keeps_its_file_where_the_new_document_finds_it() {
         "<scene version='1'><light position='1 3 4'/><mesh name='tent' src='tent.obj' scale='2'/></scene>",
     )
     .unwrap();
+    convert(path, &["two.nff", "two.view.xml"]);
+    assert_eq!(picture(path, "two.xml", "two.view.xml"), picture(path, "two.nff", "two.nff"));
+
     fs::create_dir(path.join("elsewhere")).unwrap();
     convert(path, &["tent.xml", "beside.xml"]);
     convert(path, &["tent.xml", "elsewhere/tent.xml"]);
