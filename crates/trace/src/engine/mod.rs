@@ -12,6 +12,8 @@
 mod bounce;
 mod caster;
 mod dispatch;
+mod facets_blocking;
+mod facets_nearest;
 mod hidden_surfaces;
 mod image;
 mod intersect;

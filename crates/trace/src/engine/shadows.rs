@@ -4,17 +4,17 @@
 //! What is left is decided for the rays from the points, as the reference does.
 
 use super::dispatch::{Backend, Step};
-use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
-use super::intersect::{facet, plane, sphere};
+use super::facets_blocking::OnFacets;
+use super::hidden_surfaces::UPWARDS;
+use super::intersect::{plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::World;
 use crate::bvh::{Beam, LeafBox, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
-use crate::world::{Facets, Geometry};
+use crate::world::Geometry;
 use glam::DVec3;
-use std::ops::Range;
 
 /// Rays from points to a lamp: `packet.mask` are the points that ask.
 #[derive(Clone, Copy)]
@@ -73,7 +73,7 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, 
 impl<L: Lanes> ToLamp<L> {
     /// How far some rays look: no more if there are none.
     #[inline(always)]
-    fn limit(&self, lanes: u8) -> f32 {
+    pub(super) fn limit(&self, lanes: u8) -> f32 {
         if lanes == 0 { -1.0 } else { self.farthest(lanes) }
     }
 
@@ -130,89 +130,5 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
                 Geometry::Plane { .. } => {}
             }
         }
-    }
-}
-
-/// Tries a set of facets with some packets of a beam.
-struct OnFacets<'s, 'b, B: Backend> {
-    facets: &'s Facets,
-    body: u32,
-    lamp: DVec3,
-    rays: &'s PerPacket<ToLamp<B>>,
-    blocked: &'s mut PerPacket<u8>,
-    beam: &'s Beam<'b, B>,
-    packets: u8,
-}
-
-impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
-    #[inline(always)]
-    fn run(self) {
-        let OnFacets { facets, body, lamp, rays, blocked, beam, packets } = self;
-        let mut within = Beam::new(facets.bvh(), facets.margin());
-        for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask & !blocked[place] } else { 0 };
-            send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
-        }
-        within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
-    }
-}
-
-/// Tries the facets of leaves.
-struct FacetLeaves<'v, L: Lanes> {
-    facets: &'v Facets,
-    body: u32,
-    lamp: DVec3,
-    rays: &'v PerPacket<ToLamp<L>>,
-    blocked: &'v mut PerPacket<u8>,
-}
-
-impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
-    #[inline(always)]
-    fn limit(&self, packet: usize, lanes: u8) -> f32 {
-        self.rays[packet].limit(lanes & !self.blocked[packet])
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
-        L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
-    }
-}
-
-/// Tries the facets of a leaf with some packets.
-struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
-    leaves: &'s mut FacetLeaves<'v, B>,
-    beam: &'s mut Beam<'b, B>,
-    place: LeafBox<'n>,
-    blocks: Range<u32>,
-    packets: u8,
-}
-
-impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
-    #[inline(always)]
-    fn run(self) {
-        let leaves = self.leaves;
-        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        // for culling all rays start at the lamp
-        try_leaf(self.beam, self.place, blocks, self.packets, true, leaves);
-    }
-}
-
-impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
-    #[inline(always)]
-    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let ToLamp { packet, distance } = &self.rays[place];
-        let may = may & !self.blocked[place];
-        if may == 0 {
-            return false;
-        }
-        let corners = self.facets.corners(number);
-        let found = facet::<L>(packet.origin, packet.direction, corners);
-        let met = found.lanes & may & found.t.lt(*distance).bits();
-        if met == 0 || lies_in_plane(self.lamp, corners[0], corners[1], corners[2]) {
-            return false;
-        }
-        let hidden = not_started_on(packet, met, corners, self.body);
-        self.blocked[place] |= hidden;
-        hidden != 0
     }
 }
