@@ -16,12 +16,12 @@ use arrayvec::ArrayVec;
 
 /// 2⁻²² and 1 + 2⁻²⁰, see above.
 const WIDER: f32 = 1.0 / 4_194_304.0;
-const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
+pub(super) const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
 /// A component of a direction is never less than this share of the greatest: its quotients stay finite. Within any
 /// distance that coordinates allow a ray turned by this much stays within the widening of the boxes.
 const FLAT: f32 = 1e-20;
 /// A level leaves at most seven open children behind.
-const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
+pub(super) const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
 /// The f32 shadow of a packet's rays, relative to a hierarchy's origin.
 #[derive(Clone, Copy)]
@@ -31,11 +31,12 @@ pub(crate) struct Shadow<L: Lanes> {
     /// The greatest component of the direction times the sum of the greatest coordinates of start and hierarchy: what
     /// errors of products grow with.
     pub(crate) spread: L::Single,
-    inverse: [L::Single; 3],
+    pub(super) inverse: [L::Single; 3],
     /// `(origin + w)/direction` and `(origin - w)/direction`, where `w` is what the boxes are wider by.
-    above: [L::Single; 3],
-    below: [L::Single; 3],
-    wider: L::Single,
+    pub(super) above: [L::Single; 3],
+    pub(super) below: [L::Single; 3],
+    /// What the boxes are wider by: 2⁻²² of the greatest coordinates of start and hierarchy.
+    pub(crate) wider: L::Single,
     /// The lanes that hold a ray.
     pub(crate) mask: u8,
 }
@@ -187,6 +188,18 @@ impl<'b, L: Lanes> Beam<'b, L> {
     #[inline(always)]
     pub(crate) fn limit(&self, packet: usize) -> f32 {
         self.limits[packet]
+    }
+
+    /// The packets of which the rays go so different ways that each had better go alone.
+    #[inline(always)]
+    pub(crate) fn scattered(&self) -> u8 {
+        let mut packets = 0;
+        if self.bvh.nodes().len() > 1 {
+            for packet in lanes(self.still_looking(0.0)) {
+                packets |= u8::from(self.intervals[packet].axes_of_both_ways() > 1) << packet;
+            }
+        }
+        packets
     }
 
     /// Shows every leaf that some ray reaches before its limit, roughly from near to far.

@@ -1,6 +1,7 @@
 //! The nearest facet of a mesh along each ray (subject §1.1): what `hidden_surfaces` hands a mesh to.
 
 use super::dispatch::{Backend, Step};
+use super::facets_alone::Alone;
 use super::intersect::{SeenFacets, facet, may_meet, slack};
 use super::lanes::{Lanes, Real, Single};
 use super::packet::{Block, Hits, NOTHING, Packet, PerPacket};
@@ -31,6 +32,13 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
         for (place, packet) in block.packets.iter().enumerate() {
             let mask = if packets >> place & 1 == 1 { beam.packets[place].mask } else { 0 };
             send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
+        }
+        let scattered = if block.from_one_point { within.scattered() } else { packets };
+        if scattered != 0 {
+            B::enter(Alone { facets, body, block, beam: &within, packets: scattered, hits });
+            for place in lanes(scattered) {
+                within.shorten(place, -1.0);
+            }
         }
         within.traverse(&mut FacetLeaves { facets, body, block, hits });
         for place in lanes(packets) {

@@ -80,9 +80,22 @@ impl<L: Lanes> Hits<L> {
     /// Takes the hits that precede what is known: nearer first; at equal distance document order, then facet order.
     #[inline(always)]
     pub(super) fn take(&mut self, met: u8, t: L::Real, shares: Option<(L::Real, L::Real)>, body: u32, facet: u32) {
+        self.take_each(met, t, shares, body, &[facet; 8]);
+    }
+
+    /// The same, with a facet for each lane.
+    #[inline(always)]
+    pub(super) fn take_each(
+        &mut self,
+        met: u8,
+        t: L::Real,
+        shares: Option<(L::Real, L::Real)>,
+        body: u32,
+        facets: &[u32; 8],
+    ) {
         let mut taken = met & t.lt(self.t).bits();
         for lane in lanes(met & t.eq(self.t).bits()) {
-            taken |= u8::from((body, facet) < (self.body[lane], self.facet[lane])) << lane;
+            taken |= u8::from((body, facets[lane]) < (self.body[lane], self.facet[lane])) << lane;
         }
         if taken == 0 {
             return;
@@ -96,8 +109,14 @@ impl<L: Lanes> Hits<L> {
         for lane in 0..8 {
             let new = taken >> lane & 1 == 1;
             self.body[lane] = if new { body } else { self.body[lane] };
-            self.facet[lane] = if new { facet } else { self.facet[lane] };
+            self.facet[lane] = if new { facets[lane] } else { self.facet[lane] };
         }
+    }
+
+    /// An f32 bound of the distance of each lane.
+    #[inline(always)]
+    pub(super) fn farthest_each(&self) -> [f32; 8] {
+        (L::narrow(self.t) * L::Single::splat(UPWARDS)).store()
     }
 
     /// An f32 bound of the distances of some lanes.

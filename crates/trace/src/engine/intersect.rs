@@ -63,12 +63,31 @@ pub(super) fn facet<L: Lanes>(
     direction: Vector<L::Real>,
     [p0, p1, p2]: [DVec3; 3],
 ) -> FacetHits<L> {
+    let normal = (p1 - p0).cross(p2 - p0);
+    volumes(origin, direction, [Vector::splat(p0), Vector::splat(p1), Vector::splat(p2)], Vector::splat(normal))
+}
+
+/// The same with a facet for each ray.
+#[inline(always)]
+pub(super) fn facet_each<L: Lanes>(
+    origin: Vector<L::Real>,
+    direction: Vector<L::Real>,
+    corners: [Vector<L::Real>; 3],
+) -> FacetHits<L> {
+    let [p0, p1, p2] = corners;
+    volumes(origin, direction, corners, (p1 - p0).cross(p2 - p0))
+}
+
+#[inline(always)]
+fn volumes<L: Lanes>(
+    origin: Vector<L::Real>,
+    direction: Vector<L::Real>,
+    [p0, p1, p2]: [Vector<L::Real>; 3],
+    normal: Vector<L::Real>,
+) -> FacetHits<L> {
     let zero = L::Real::splat(0.0);
-    let normal = Vector::splat((p1 - p0).cross(p2 - p0));
     let determinant = direction.dot(normal);
-    let a = Vector::splat(p0) - origin;
-    let b = Vector::splat(p1) - origin;
-    let c = Vector::splat(p2) - origin;
+    let (a, b, c) = (p0 - origin, p1 - origin, p2 - origin);
     let (rest, alpha, beta) = (edge(direction, b, c), edge(direction, c, a), edge(direction, a, b));
     let inside = (rest.ge(zero) & alpha.ge(zero) & beta.ge(zero)) | (rest.le(zero) & alpha.le(zero) & beta.le(zero));
     let sum = rest + alpha + beta;

@@ -12,6 +12,8 @@
 mod bounce;
 mod caster;
 mod dispatch;
+mod facet_filter;
+mod facets_alone;
 mod facets_blocking;
 mod facets_nearest;
 mod hidden_surfaces;

@@ -1,0 +1,169 @@
+//! What f32 can tell of a ray and a facet: that they miss each other, that they surely meet, or nothing; and between
+//! which distances.
+//!
+//! The test is that of Möller and Trumbore (1997), seen from the ray's start: with `a` the corner `P0`, `e1 = P0P1` and
+//! `e2 = P0P2`, `N = e1 × e2` and the direction `I`, `α·I·N = (a × I)·e2`, `β·I·N = -(a × I)·e1` and `t·I·N = a·N`. Twice
+//! these volumes are the edge functions of the exact test, in real numbers.
+//!
+//! How far they may be off. Let `u = 2⁻²⁴`, `E` the greatest coordinate of the hierarchy, `R` that and the greatest one of
+//! the start together, `D` the greatest component of `I`, `s` that of `e1` and `e2`. A start is off by `4uR` from the
+//! corners, the way to the hierarchy's space counted in, an edge by `2uE`, `I` by `uD`.
+//!
+//! * Volumes of edges. The start brings `4uR·2Ds·3 = 24uRDs`; `I` brings `6uRDs`; an edge, where the ray passes no farther
+//!   than `s` from the facet, which is so for what meets it in either arithmetic, `12uRDs`; roundings bring `30uRDs`. So
+//!   `α·I·N` and `β·I·N` are off by `72uRDs` at most. `N` is off by `8uEs + 8us²`, `I·N` so by `66uRDs`, and the remaining
+//!   volume, `I·N` less the two others, by `230uRDs`, its roundings counted in. All are less than `256uRDs`.
+//! * The distance. Seen from where the ray meets the facet, errors do not grow with the distance to the start: `t·I·N` and
+//!   `a·N` differ by `3s·8uEs` for the direction of `N`, by `5uR·6·s1·s2` for the places of corner and ray, where `s1` and
+//!   `s2` are the greatest components of `e1` and `e2`, and by `36uA·s1·s2` for roundings, where `A` is that of `a` and
+//!   `s` together.
+//!
+//! All sizes are taken greater by `4uR`, what the f32 corners may be off. What double precision adds to all that is less
+//! by 2⁻²⁴ and lost in the roundness of the bounds.
+
+use super::lanes::{Lanes, Mask, Single};
+use crate::bvh::{Block, Shadow};
+
+/// `256u`.
+const EDGE: f32 = 1.0 / 65_536.0;
+/// `32u` and `48u`.
+const TURNED: f32 = 1.0 / 524_288.0;
+const ROUNDED: f32 = 3.0 / 1_048_576.0;
+/// `32uR` of what boxes are wider by, which is `4uR`.
+const MOVED: f32 = 8.0;
+/// What is less than this may have been lost below the least number.
+const LEAST: f32 = 16.0 * f32::MIN_POSITIVE;
+/// Covers the roundings of a quotient.
+const LESS: f32 = 1.0 - 1.0 / 1_048_576.0;
+const MORE: f32 = 1.0 + 1.0 / 1_048_576.0;
+
+/// What a ray may meet of eight facets, or eight rays of one.
+pub(super) struct Sighted<L: Lanes> {
+    /// Those that may meet, and those of them that surely do.
+    pub(super) may: u8,
+    pub(super) sure: u8,
+    /// Where it is if they do meet, at least and at most.
+    pub(super) low: L::Single,
+    pub(super) high: L::Single,
+}
+
+/// Rays as the filter sees them, by axis, then by lane.
+pub(super) struct Looking {
+    origin: [[f32; 8]; 3],
+    direction: [[f32; 8]; 3],
+    /// `256uRD`, `4uR`, `32uR` and `32uE`.
+    edge: [f32; 8],
+    wider: [f32; 8],
+    moved: [f32; 8],
+    turned: f32,
+}
+
+/// One of them in all lanes.
+struct Ray<L: Lanes> {
+    origin: [L::Single; 3],
+    direction: [L::Single; 3],
+    edge: L::Single,
+    wider: L::Single,
+    moved: L::Single,
+    turned: L::Single,
+}
+
+impl Looking {
+    /// The rays of a packet.
+    #[inline(always)]
+    pub(super) fn of<L: Lanes>(rays: &Shadow<L>, extent: f32) -> Looking {
+        let [ox, oy, oz] = rays.origin;
+        let [dx, dy, dz] = rays.direction;
+        Looking {
+            origin: [ox.store(), oy.store(), oz.store()],
+            direction: [dx.store(), dy.store(), dz.store()],
+            edge: (rays.spread * L::Single::splat(EDGE)).store(),
+            wider: rays.wider.store(),
+            moved: (rays.wider * L::Single::splat(MOVED)).store(),
+            turned: extent * TURNED,
+        }
+    }
+
+    #[inline(always)]
+    fn ray<L: Lanes>(&self, lane: usize) -> Ray<L> {
+        let ([ox, oy, oz], [dx, dy, dz]) = (&self.origin, &self.direction);
+        Ray {
+            origin: [L::Single::splat(ox[lane]), L::Single::splat(oy[lane]), L::Single::splat(oz[lane])],
+            direction: [L::Single::splat(dx[lane]), L::Single::splat(dy[lane]), L::Single::splat(dz[lane])],
+            edge: L::Single::splat(self.edge[lane]),
+            wider: L::Single::splat(self.wider[lane]),
+            moved: L::Single::splat(self.moved[lane]),
+            turned: L::Single::splat(self.turned),
+        }
+    }
+
+    /// What the ray of a lane sees of the facets of one or two blocks before `limit`.
+    #[inline(always)]
+    pub(super) fn at_facets<L: Lanes>(&self, lane: usize, blocks: &[Block], limit: f32) -> Sighted<L> {
+        let ray = self.ray::<L>(lane);
+        let (low, high) = (&blocks[0].corners, &blocks[blocks.len() - 1].corners);
+        let zero = [L::Single::splat(0.0); 3];
+        let (mut a, mut e1, mut e2) = (zero, zero, zero);
+        for axis in 0..3 {
+            let p0 = L::Single::of_halves(&low[0][axis], &high[0][axis]);
+            a[axis] = p0 - ray.origin[axis];
+            e1[axis] = L::Single::of_halves(&low[1][axis], &high[1][axis]) - p0;
+            e2[axis] = L::Single::of_halves(&low[2][axis], &high[2][axis]) - p0;
+        }
+        let mut sighted = ray.at(a, e1, e2, L::Single::splat(limit));
+        // one block stands twice
+        sighted.may &= if blocks.len() == 1 { 0x0f } else { 0xff };
+        sighted
+    }
+}
+
+impl<L: Lanes> Ray<L> {
+    #[inline(always)]
+    fn at(&self, a: [L::Single; 3], e1: [L::Single; 3], e2: [L::Single; 3], limit: L::Single) -> Sighted<L> {
+        let side = cross::<L>(&a, &self.direction);
+        let normal = cross::<L>(&e1, &e2);
+        let (alpha, beta) = (dot::<L>(&side, &e2), -dot::<L>(&side, &e1));
+        let whole = dot::<L>(&self.direction, &normal);
+        let rest = whole - alpha - beta;
+        let (s1, s2) = (greatest::<L>(&e1) + self.wider, greatest::<L>(&e2) + self.wider);
+        let size = s1.max(s2);
+        let edge = self.edge * size;
+        let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
+        let inside = least.ge(-edge) | most.le(edge);
+        let surely = least.gt(edge) | most.lt(-edge);
+        // as if the facet were seen from its front
+        let (amount, ahead) = (whole.abs(), dot::<L>(&a, &normal).flipped_by(whole));
+        let moved = (greatest::<L>(&a) + size).mul_add(L::Single::splat(ROUNDED), self.moved);
+        let along = (size * size).mul_add(self.turned, (s1 * s2).mul_add(moved, L::Single::splat(LEAST)));
+        let in_reach =
+            (ahead - along).le(limit * amount * L::Single::splat(MORE)) & (ahead + along).ge(L::Single::splat(0.0));
+        let may = inside & (in_reach | amount.le(edge));
+        let may = may.bits();
+        let mut sighted = Sighted { may, sure: 0, low: ahead, high: ahead };
+        if may != 0 {
+            sighted.sure = (surely & ahead.gt(along * L::Single::splat(4.0))).bits();
+            let inverse = L::Single::splat(1.0) / amount;
+            sighted.low = (ahead - along) * inverse * L::Single::splat(LESS);
+            sighted.high = (ahead + along) * inverse * L::Single::splat(MORE);
+        }
+        sighted
+    }
+}
+
+/// `a × b`.
+#[inline(always)]
+fn cross<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> [L::Single; 3] {
+    [a[1].mul_sub(b[2], a[2] * b[1]), a[2].mul_sub(b[0], a[0] * b[2]), a[0].mul_sub(b[1], a[1] * b[0])]
+}
+
+/// `a·b`.
+#[inline(always)]
+fn dot<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> L::Single {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// The greatest of the absolute coordinates.
+#[inline(always)]
+fn greatest<L: Lanes>(a: &[L::Single; 3]) -> L::Single {
+    a[0].abs().max(a[1].abs()).max(a[2].abs())
+}
