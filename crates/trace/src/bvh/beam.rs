@@ -71,31 +71,10 @@ struct Turn {
 /// Is shown the leaves that rays reach.
 pub(crate) trait Visit<L: Lanes> {
     /// A leaf, and the packets of which some ray may meet its box. May shorten the beam.
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8);
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8);
 
     /// How far some rays of a packet still look; negative: no more.
     fn limit(&self, packet: usize, lanes: u8) -> f32;
-}
-
-/// The box of a leaf.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LeafBox<'n> {
-    node: &'n Node,
-    child: usize,
-}
-
-impl LeafBox<'_> {
-    /// How far the farthest corner is, along some axis, from where each ray starts.
-    #[inline(always)]
-    pub(crate) fn reach<L: Lanes>(&self, rays: &Shadow<L>) -> L::Single {
-        let mut reach = L::Single::splat(0.0);
-        for axis in 0..3 {
-            let low = (L::Single::splat(self.node.low[axis][self.child]) - rays.origin[axis]).abs();
-            let high = (L::Single::splat(self.node.high[axis][self.child]) - rays.origin[axis]).abs();
-            reach = reach.max(low).max(high);
-        }
-        reach
-    }
 }
 
 /// A child that waits for its turn.
@@ -190,6 +169,12 @@ impl<'b, L: Lanes> Beam<'b, L> {
         self.limits[packet]
     }
 
+    /// The packets that look anywhere.
+    #[inline(always)]
+    pub(crate) fn looking(&self) -> u8 {
+        self.still_looking(0.0)
+    }
+
     /// The packets of which the rays go so different ways that each had better go alone.
     #[inline(always)]
     pub(crate) fn scattered(&self) -> u8 {
@@ -226,7 +211,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
                 packets |= u8::from(self.rays_meet(packet, node, child) != 0) << packet;
             }
             if packets != 0 {
-                visitor.leaf(self, LeafBox { node, child }, first, count, packets);
+                visitor.leaf(self, first, count, packets);
             }
         }
     }
@@ -319,7 +304,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
                         break;
                     }
                     Entry::Leaf { first, count } => {
-                        visitor.leaf(self, LeafBox { node: parent, child }, first, count, left);
+                        visitor.leaf(self, first, count, left);
                     }
                 }
             }

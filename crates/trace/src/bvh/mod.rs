@@ -22,7 +22,7 @@ mod walk;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use beam::{Beam, LeafBox, Shadow, Visit};
+pub(crate) use beam::{Beam, Shadow, Visit};
 pub(crate) use block::{Block, NO_FACET, Triangles};
 pub(crate) use bounds::Bounds;
 pub(crate) use build::{Frame, Source};

@@ -101,15 +101,7 @@ impl Looking {
     #[inline(always)]
     pub(super) fn at_facets<L: Lanes>(&self, lane: usize, blocks: &[Block], limit: f32) -> Sighted<L> {
         let ray = self.ray::<L>(lane);
-        let (low, high) = (&blocks[0].corners, &blocks[blocks.len() - 1].corners);
-        let zero = [L::Single::splat(0.0); 3];
-        let (mut a, mut e1, mut e2) = (zero, zero, zero);
-        for axis in 0..3 {
-            let p0 = L::Single::of_halves(&low[0][axis], &high[0][axis]);
-            a[axis] = p0 - ray.origin[axis];
-            e1[axis] = L::Single::of_halves(&low[1][axis], &high[1][axis]) - p0;
-            e2[axis] = L::Single::of_halves(&low[2][axis], &high[2][axis]) - p0;
-        }
+        let [a, e1, e2] = edges::<L>(blocks, ray.origin);
         let mut sighted = ray.at(a, e1, e2, L::Single::splat(limit));
         // one block stands twice
         sighted.may &= if blocks.len() == 1 { 0x0f } else { 0xff };
@@ -124,23 +116,40 @@ impl<L: Lanes> Ray<L> {
         let normal = cross::<L>(&e1, &e2);
         let (alpha, beta) = (dot::<L>(&side, &e2), -dot::<L>(&side, &e1));
         let whole = dot::<L>(&self.direction, &normal);
-        let rest = whole - alpha - beta;
         let (s1, s2) = (greatest::<L>(&e1) + self.wider, greatest::<L>(&e2) + self.wider);
         let size = s1.max(s2);
-        let edge = self.edge * size;
-        let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
-        let inside = least.ge(-edge) | most.le(edge);
-        let surely = least.gt(edge) | most.lt(-edge);
-        // as if the facet were seen from its front
-        let (amount, ahead) = (whole.abs(), dot::<L>(&a, &normal).flipped_by(whole));
         let moved = (greatest::<L>(&a) + size).mul_add(L::Single::splat(ROUNDED), self.moved);
         let along = (size * size).mul_add(self.turned, (s1 * s2).mul_add(moved, L::Single::splat(LEAST)));
+        Volumes { alpha, beta, whole, ahead: dot::<L>(&a, &normal), edge: self.edge * size, along }.sight(limit)
+    }
+}
+
+/// The volumes that a ray spans with a facet, and how far they may be off.
+struct Volumes<L: Lanes> {
+    alpha: L::Single,
+    beta: L::Single,
+    whole: L::Single,
+    /// `a·N`.
+    ahead: L::Single,
+    edge: L::Single,
+    along: L::Single,
+}
+
+impl<L: Lanes> Volumes<L> {
+    #[inline(always)]
+    fn sight(self, limit: L::Single) -> Sighted<L> {
+        let Volumes { alpha, beta, whole, ahead, edge, along } = self;
+        let rest = whole - alpha - beta;
+        let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
+        let inside = least.ge(-edge) | most.le(edge);
+        // as if the facet were seen from its front
+        let (amount, ahead) = (whole.abs(), ahead.flipped_by(whole));
         let in_reach =
             (ahead - along).le(limit * amount * L::Single::splat(MORE)) & (ahead + along).ge(L::Single::splat(0.0));
-        let may = inside & (in_reach | amount.le(edge));
-        let may = may.bits();
+        let may = (inside & (in_reach | amount.le(edge))).bits();
         let mut sighted = Sighted { may, sure: 0, low: ahead, high: ahead };
         if may != 0 {
+            let surely = least.gt(edge) | most.lt(-edge);
             sighted.sure = (surely & ahead.gt(along * L::Single::splat(4.0))).bits();
             let inverse = L::Single::splat(1.0) / amount;
             sighted.low = (ahead - along) * inverse * L::Single::splat(LESS);
@@ -148,6 +157,202 @@ impl<L: Lanes> Ray<L> {
         }
         sighted
     }
+}
+
+/// Packets of rays that all start at one point, and what its rounding costs.
+pub(super) struct Eye {
+    origin: [f32; 3],
+    wider: f32,
+    moved: f32,
+    turned: f32,
+}
+
+impl Eye {
+    /// The point that the rays of a packet start at; its mask is not empty.
+    #[inline(always)]
+    pub(super) fn of<L: Lanes>(rays: &Shadow<L>, extent: f32) -> Eye {
+        let lane = rays.mask.trailing_zeros() as usize % 8;
+        let [x, y, z] = rays.origin;
+        let wider = rays.wider.store()[lane];
+        let origin = [x.store()[lane], y.store()[lane], z.store()[lane]];
+        Eye { origin, wider, moved: wider * MOVED, turned: extent * TURNED }
+    }
+}
+
+/// The directions of a packet's rays: the middle and how far they are from it along each axis.
+#[derive(Clone, Copy)]
+pub(super) struct Fan {
+    middle: [f32; 3],
+    half: [f32; 3],
+    edge: f32,
+}
+
+impl Fan {
+    /// No directions.
+    pub(super) const NONE: Fan = Fan { middle: [0.0; 3], half: [0.0; 3], edge: 0.0 };
+
+    /// The directions of the rays of a packet.
+    #[inline(always)]
+    pub(super) fn of<L: Lanes>(rays: &Shadow<L>) -> Fan {
+        let mut fan = Fan::NONE;
+        let mask = L::SingleMask::from_bits(rays.mask);
+        for axis in 0..3 {
+            let along = rays.direction[axis];
+            let low = L::Single::select(mask, along, L::Single::splat(f32::INFINITY)).least();
+            let high = L::Single::select(mask, along, L::Single::splat(f32::NEG_INFINITY)).greatest();
+            fan.middle[axis] = 0.5 * (low + high);
+            // the middle is rounded
+            fan.half[axis] = 0.5 * (high - low) + (low.abs() + high.abs()) * f32::EPSILON;
+        }
+        fan.edge = L::Single::select(mask, rays.spread, L::Single::splat(0.0)).greatest() * (2.0 * EDGE);
+        fan
+    }
+}
+
+/// Up to eight facets as all rays from one point see them, by axis, then by facet: `α`, `β` and the whole are scalar
+/// products of these with a ray's direction.
+pub(super) struct Seen {
+    alpha: [[f32; 8]; 3],
+    beta: [[f32; 8]; 3],
+    whole: [[f32; 8]; 3],
+    ahead: [f32; 8],
+    size: [f32; 8],
+    along: [f32; 8],
+}
+
+impl Seen {
+    /// The facets of one or two blocks.
+    #[inline(always)]
+    pub(super) fn of<L: Lanes>(eye: &Eye, blocks: &[Block]) -> Seen {
+        let [x, y, z] = eye.origin;
+        let origin = [L::Single::splat(x), L::Single::splat(y), L::Single::splat(z)];
+        let [a, e1, e2] = edges::<L>(blocks, origin);
+        let ([ax, ay, az], [bx, by, bz]) = (cross::<L>(&e2, &a), cross::<L>(&a, &e1));
+        let normal = cross::<L>(&e1, &e2);
+        let wider = L::Single::splat(eye.wider);
+        let (s1, s2) = (greatest::<L>(&e1) + wider, greatest::<L>(&e2) + wider);
+        let size = s1.max(s2);
+        let moved = (greatest::<L>(&a) + size).mul_add(L::Single::splat(ROUNDED), L::Single::splat(eye.moved));
+        let turned = L::Single::splat(eye.turned);
+        let along = (size * size).mul_add(turned, (s1 * s2).mul_add(moved, L::Single::splat(LEAST)));
+        Seen {
+            alpha: [ax.store(), ay.store(), az.store()],
+            beta: [bx.store(), by.store(), bz.store()],
+            whole: [normal[0].store(), normal[1].store(), normal[2].store()],
+            ahead: dot::<L>(&a, &normal).store(),
+            size: size.store(),
+            along: along.store(),
+        }
+    }
+
+    /// The facets that some ray of a fan may meet.
+    #[inline(always)]
+    pub(super) fn within<L: Lanes>(&self, fan: &Fan) -> u8 {
+        let (alpha, beta) = (span::<L>(&self.alpha, fan), span::<L>(&self.beta, fan));
+        let mut rest = [[0.0; 8]; 3];
+        for axis in 0..3 {
+            let whole = L::Single::load(&self.whole[axis]);
+            rest[axis] = (whole - L::Single::load(&self.alpha[axis]) - L::Single::load(&self.beta[axis])).store();
+        }
+        let rest = span::<L>(&rest, fan);
+        let edge = L::Single::load(&self.size) * L::Single::splat(fan.edge);
+        let positive = alpha.1.min(beta.1).min(rest.1).ge(-edge);
+        let negative = alpha.0.max(beta.0).max(rest.0).le(edge);
+        (positive | negative).bits()
+    }
+
+    /// What the rays of a packet see of one of the facets before their limits.
+    #[inline(always)]
+    pub(super) fn by<L: Lanes>(&self, rays: &Shadow<L>, facet: usize, limit: L::Single) -> Sighted<L> {
+        let volume = Volumes::<L> {
+            alpha: dot::<L>(&rays.direction, &one::<L>(&self.alpha, facet)),
+            beta: dot::<L>(&rays.direction, &one::<L>(&self.beta, facet)),
+            whole: dot::<L>(&rays.direction, &one::<L>(&self.whole, facet)),
+            ahead: L::Single::splat(self.ahead[facet]),
+            edge: rays.spread * L::Single::splat(self.size[facet] * EDGE),
+            along: L::Single::splat(self.along[facet]),
+        };
+        let mut sighted = volume.sight(limit);
+        sighted.may &= rays.mask;
+        sighted
+    }
+}
+
+impl Seen {
+    /// What the rays of a packet see of one of the facets before something at a distance. Only that is sure which is as
+    /// surely before it, and as far from being at its place, as it is from the start.
+    #[inline(always)]
+    pub(super) fn before<L: Lanes>(&self, rays: &Shadow<L>, facet: usize, distance: L::Single) -> Sighted<L> {
+        let mut sighted = self.by(rays, facet, distance * L::Single::splat(MORE));
+        let whole = dot::<L>(&rays.direction, &one::<L>(&self.whole, facet));
+        let ahead = L::Single::splat(self.ahead[facet]).flipped_by(whole);
+        let before = ahead + L::Single::splat(4.0 * self.along[facet]);
+        sighted.sure &= sighted.may & before.lt(distance * whole.abs() * L::Single::splat(LESS)).bits();
+        sighted
+    }
+}
+
+/// What the rays of a packet, wherever they start, see of one facet of a block before their limits.
+#[inline(always)]
+pub(super) fn sight<L: Lanes>(
+    rays: &Shadow<L>,
+    extent: f32,
+    block: &Block,
+    facet: usize,
+    limit: L::Single,
+) -> Sighted<L> {
+    let zero = [L::Single::splat(0.0); 3];
+    let (mut a, mut e1, mut e2) = (zero, zero, zero);
+    for axis in 0..3 {
+        let p0 = L::Single::splat(block.corners[0][axis][facet]);
+        a[axis] = p0 - rays.origin[axis];
+        e1[axis] = L::Single::splat(block.corners[1][axis][facet]) - p0;
+        e2[axis] = L::Single::splat(block.corners[2][axis][facet]) - p0;
+    }
+    let ray = Ray::<L> {
+        origin: rays.origin,
+        direction: rays.direction,
+        edge: rays.spread * L::Single::splat(EDGE),
+        wider: rays.wider,
+        moved: rays.wider * L::Single::splat(MOVED),
+        turned: L::Single::splat(extent * TURNED),
+    };
+    let mut sighted = ray.at(a, e1, e2, limit);
+    sighted.may &= rays.mask;
+    sighted
+}
+
+/// The first corners of facets seen from a point, and `P0P1` and `P0P2`.
+#[inline(always)]
+fn edges<L: Lanes>(blocks: &[Block], origin: [L::Single; 3]) -> [[L::Single; 3]; 3] {
+    let (low, high) = (&blocks[0].corners, &blocks[blocks.len() - 1].corners);
+    let zero = [L::Single::splat(0.0); 3];
+    let (mut a, mut e1, mut e2) = (zero, zero, zero);
+    for axis in 0..3 {
+        let p0 = L::Single::of_halves(&low[0][axis], &high[0][axis]);
+        a[axis] = p0 - origin[axis];
+        e1[axis] = L::Single::of_halves(&low[1][axis], &high[1][axis]) - p0;
+        e2[axis] = L::Single::of_halves(&low[2][axis], &high[2][axis]) - p0;
+    }
+    [a, e1, e2]
+}
+
+/// The least and the greatest scalar product of a fan's directions with each of eight vectors.
+#[inline(always)]
+fn span<L: Lanes>(vectors: &[[f32; 8]; 3], fan: &Fan) -> (L::Single, L::Single) {
+    let (mut middle, mut half) = (L::Single::splat(0.0), L::Single::splat(0.0));
+    for axis in 0..3 {
+        let along = L::Single::load(&vectors[axis]);
+        middle = along.mul_add(L::Single::splat(fan.middle[axis]), middle);
+        half = along.abs().mul_add(L::Single::splat(fan.half[axis]), half);
+    }
+    (middle - half, middle + half)
+}
+
+/// One vector of eight, in all lanes.
+#[inline(always)]
+fn one<L: Lanes>([x, y, z]: &[[f32; 8]; 3], place: usize) -> [L::Single; 3] {
+    [L::Single::splat(x[place]), L::Single::splat(y[place]), L::Single::splat(z[place])]
 }
 
 /// `a × b`.

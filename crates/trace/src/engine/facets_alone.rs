@@ -43,7 +43,7 @@ impl<B: Backend> Step<B> for Alone<'_, '_, B> {
                 rest &= rest - 1;
                 let rays = &beam.packets[place];
                 turns.push(Scattered::of(rays));
-                let limits = leaves.hits[place].farthest_each();
+                let limits = leaves.hits[place].limits().store();
                 let (nearest, low) = ([NO_FACET; 8], [f32::INFINITY; 8]);
                 leaves.lanes.push(Found { place, looking: Looking::of(rays, extent), limits, nearest, low });
             }

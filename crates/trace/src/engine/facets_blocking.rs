@@ -1,13 +1,14 @@
 //! Whether a facet of a mesh stands between points and a lamp (subject §1.2): what `shadows` hands a mesh to.
 
 use super::dispatch::{Backend, Step};
-use super::facets_nearest::{Candidates, not_started_on, send, try_leaf};
+use super::facet_filter::{Eye, Fan, Seen};
+use super::facets_nearest::{not_started_on, send};
 use super::intersect::facet;
 use super::lanes::{Lanes, Mask, Real};
-use super::packet::PerPacket;
+use super::packet::{PACKETS, PerPacket};
 use super::shadows::ToLamp;
-use super::vector::Vector;
-use crate::bvh::{Beam, LeafBox, Visit};
+use super::vector::{Vector, lanes};
+use crate::bvh::{Beam, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::Facets;
 use glam::DVec3;
@@ -33,7 +34,12 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
             let mask = if packets >> place & 1 == 1 { beam.packets[place].mask & !blocked[place] } else { 0 };
             send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
         }
-        within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
+        let together = within.looking();
+        if together != 0 {
+            let eye = Eye::of(&within.packets[together.trailing_zeros() as usize], facets.bvh().extent());
+            let fans = [None; PACKETS];
+            within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked, eye, fans });
+        }
     }
 }
 
@@ -44,6 +50,10 @@ struct FacetLeaves<'v, L: Lanes> {
     lamp: DVec3,
     rays: &'v PerPacket<ToLamp<L>>,
     blocked: &'v mut PerPacket<u8>,
+    /// The lamp, where all rays start for culling.
+    eye: Eye,
+    /// The directions of each packet, once they are needed.
+    fans: [Option<Fan>; PACKETS],
 }
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
@@ -53,46 +63,70 @@ impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
-        L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
+        L::enter(TryFacets { leaves: self, beam, blocks: first..first + count, packets });
     }
 }
 
 /// Tries the facets of a leaf with some packets.
-struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
+struct TryFacets<'s, 'v, 'b, B: Backend> {
     leaves: &'s mut FacetLeaves<'v, B>,
     beam: &'s mut Beam<'b, B>,
-    place: LeafBox<'n>,
     blocks: Range<u32>,
     packets: u8,
 }
 
-impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
+impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
     #[inline(always)]
     fn run(self) {
-        let leaves = self.leaves;
-        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        // for culling all rays start at the lamp
-        try_leaf(self.beam, self.place, blocks, self.packets, true, leaves);
+        let TryFacets { leaves, beam, blocks, packets } = self;
+        for blocks in leaves.facets.blocks()[blocks.start as usize..blocks.end as usize].chunks(2) {
+            let there = if blocks.len() == 1 { 0x0f } else { 0xff };
+            let seen = Seen::of::<B>(&leaves.eye, blocks);
+            for place in lanes(packets) {
+                let rays = &beam.packets[place];
+                let fan = match leaves.fans[place] {
+                    Some(fan) => fan,
+                    None => *leaves.fans[place].insert(Fan::of(rays)),
+                };
+                let before = leaves.blocked[place];
+                for facet in lanes(there & seen.within::<B>(&fan)) {
+                    let distance = B::narrow(leaves.rays[place].distance);
+                    let sighted = seen.before(rays, facet, distance);
+                    let unsure = sighted.may & !sighted.sure & !leaves.blocked[place];
+                    leaves.blocked[place] |= sighted.sure;
+                    if unsure != 0 {
+                        let number = blocks[facet / 4 % blocks.len()].facets[facet % 4];
+                        B::enter(TryNow { leaves, place, number, may: unsure });
+                    }
+                }
+                if leaves.blocked[place] != before {
+                    let limit = leaves.limit(place, rays.mask);
+                    beam.shorten(place, limit);
+                }
+            }
+        }
     }
 }
 
-impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
+/// Tries one facet with some rays of a packet, as the reference does.
+struct TryNow<'s, 'v, B: Backend> {
+    leaves: &'s mut FacetLeaves<'v, B>,
+    place: usize,
+    number: u32,
+    may: u8,
+}
+
+impl<B: Backend> Step<B> for TryNow<'_, '_, B> {
     #[inline(always)]
-    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let ToLamp { packet, distance } = &self.rays[place];
-        let may = may & !self.blocked[place];
-        if may == 0 {
-            return false;
-        }
-        let corners = self.facets.corners(number);
-        let found = facet::<L>(packet.origin, packet.direction, corners);
+    fn run(self) {
+        let TryNow { leaves: FacetLeaves { facets, body, lamp, rays, blocked, .. }, place, number, may } = self;
+        let ToLamp { packet, distance } = &rays[place];
+        let corners = facets.corners(number);
+        let found = facet::<B>(packet.origin, packet.direction, corners);
         let met = found.lanes & may & found.t.lt(*distance).bits();
-        if met == 0 || lies_in_plane(self.lamp, corners[0], corners[1], corners[2]) {
-            return false;
+        if met != 0 && !lies_in_plane(*lamp, corners[0], corners[1], corners[2]) {
+            blocked[place] |= not_started_on(packet, met, corners, *body);
         }
-        let hidden = not_started_on(packet, met, corners, self.body);
-        self.blocked[place] |= hidden;
-        hidden != 0
     }
 }

@@ -1,15 +1,14 @@
 //! The nearest facet of a mesh along each ray (subject §1.1): what `hidden_surfaces` hands a mesh to.
 
 use super::dispatch::{Backend, Step};
-use super::facets_alone::Alone;
-use super::intersect::{SeenFacets, facet, may_meet, slack};
-use super::lanes::{Lanes, Real, Single};
+use super::facet_filter::{Eye, Fan, Seen, Sighted, sight};
+use super::facets_alone::{Alone, take_each};
+use super::intersect::facet;
+use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, Packet, PerPacket};
 use super::vector::{Vector, equal, lanes};
-use crate::Ray;
-use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
+use crate::bvh::{Beam, NO_FACET, Visit};
 use crate::precision::lies_in_plane;
-use crate::reference::intersect::intersect_facet;
 use crate::world::Facets;
 use glam::{DMat3, DVec3};
 use std::ops::Range;
@@ -33,14 +32,28 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
             let mask = if packets >> place & 1 == 1 { beam.packets[place].mask } else { 0 };
             send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
         }
-        let scattered = if block.from_one_point { within.scattered() } else { packets };
+        // rays from several points keep together where all boxes are tried anyway
+        let scattered =
+            if block.from_one_point || facets.bvh().nodes().len() == 1 { within.scattered() } else { packets };
         if scattered != 0 {
             B::enter(Alone { facets, body, block, beam: &within, packets: scattered, hits });
             for place in lanes(scattered) {
                 within.shorten(place, -1.0);
             }
         }
-        within.traverse(&mut FacetLeaves { facets, body, block, hits });
+        let together = packets & !scattered;
+        if together != 0 {
+            let mut leaves = FacetLeaves::of(facets, body, block, hits, &within, together);
+            within.traverse(&mut leaves);
+            let FacetLeaves { hits, found, .. } = leaves;
+            for place in lanes(together) {
+                let nearest = &found[place].nearest;
+                let left = !equal(nearest, NO_FACET);
+                if left != 0 {
+                    take_each(facets, body, &block.packets[place], nearest, left, &mut hits[place]);
+                }
+            }
+        }
         for place in lanes(packets) {
             // not the limit within: rays that went one by one have left it at the last one's
             beam.shorten(place, hits[place].farthest(beam.packets[place].mask));
@@ -74,137 +87,162 @@ fn product<R: Real>(matrix: &DMat3, vector: Vector<R>) -> Vector<R> {
     x * vector.x + y * vector.y + z * vector.z
 }
 
+/// What a packet has found so far.
+struct Found<L: Lanes> {
+    /// How far each ray still looks.
+    limit: L::Single,
+    /// A facet that each ray surely meets, not nearer than `low`, and that is not tried yet.
+    nearest: [u32; 8],
+    low: L::Single,
+    /// Its directions, once they are needed.
+    fan: Option<Fan>,
+}
+
 /// Tries the facets of leaves.
 struct FacetLeaves<'v, L: Lanes> {
     facets: &'v Facets,
     body: u32,
     block: &'v Block<L>,
     hits: &'v mut PerPacket<Hits<L>>,
+    /// Where all rays start, if that is one point.
+    eye: Option<Eye>,
+    found: PerPacket<Found<L>>,
+}
+
+impl<'v, L: Lanes> FacetLeaves<'v, L> {
+    /// For some packets, one at least.
+    #[inline(always)]
+    fn of(
+        facets: &'v Facets,
+        body: u32,
+        block: &'v Block<L>,
+        hits: &'v mut PerPacket<Hits<L>>,
+        beam: &Beam<'_, L>,
+        packets: u8,
+    ) -> FacetLeaves<'v, L> {
+        let first = &beam.packets[packets.trailing_zeros() as usize];
+        let eye = if block.from_one_point { Some(Eye::of(first, facets.bvh().extent())) } else { None };
+        let mut found = PerPacket::new();
+        for hits in hits.iter() {
+            let (nearest, low) = ([NO_FACET; 8], L::Single::splat(f32::INFINITY));
+            found.push(Found { limit: hits.limits(), nearest, low, fan: None });
+        }
+        FacetLeaves { facets, body, block, hits, eye, found }
+    }
 }
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
     #[inline(always)]
     fn limit(&self, packet: usize, lanes: u8) -> f32 {
-        self.hits[packet].farthest(lanes)
+        farthest::<L>(self.found[packet].limit, lanes)
     }
 
     #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
-        L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
+        L::enter(TryFacets { leaves: self, beam, blocks: first..first + count, packets });
     }
 }
 
+/// The greatest of some lanes.
+#[inline(always)]
+fn farthest<L: Lanes>(limits: L::Single, lanes: u8) -> f32 {
+    L::Single::select(L::SingleMask::from_bits(lanes), limits, L::Single::splat(-1.0)).greatest()
+}
+
 /// Tries the facets of a leaf with some packets.
-struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
+struct TryFacets<'s, 'v, 'b, B: Backend> {
     leaves: &'s mut FacetLeaves<'v, B>,
     beam: &'s mut Beam<'b, B>,
-    place: LeafBox<'n>,
     blocks: Range<u32>,
     packets: u8,
 }
 
-impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
+impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
     #[inline(always)]
     fn run(self) {
-        let leaves = self.leaves;
-        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        let (packets, from_one_point) = (self.packets, leaves.block.from_one_point);
-        try_leaf(self.beam, self.place, blocks, packets, from_one_point, leaves);
-    }
-}
-
-impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
-    #[inline(always)]
-    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let packet = &self.block.packets[place];
-        let corners = self.facets.corners(number);
-        if may.is_power_of_two() {
-            return self.try_ray(place, may.trailing_zeros() as usize, number, corners);
-        }
-        let found = facet::<L>(packet.origin, packet.direction, corners);
-        let met = not_started_on(packet, found.lanes & may, corners, self.body);
-        if met != 0 {
-            self.hits[place].take(met, found.t, Some((found.alpha, found.beta)), self.body, number);
-        }
-        met != 0
-    }
-}
-
-impl<L: Lanes> FacetLeaves<'_, L> {
-    /// One ray alone, as the reference does it.
-    #[inline(always)]
-    fn try_ray(&mut self, place: usize, lane: usize, number: u32, [p0, p1, p2]: [DVec3; 3]) -> bool {
-        let packet = &self.block.packets[place];
-        let ray = Ray { origin: packet.origin.lane(lane), direction: packet.direction.lane(lane) };
-        let Some(hit) = intersect_facet(&ray, p0, p1, p2) else { return false };
-        if not_started_on(packet, 1 << lane, [p0, p1, p2], self.body) == 0 {
-            return false;
-        }
-        let shares = Some((L::Real::splat(hit.alpha), L::Real::splat(hit.beta)));
-        self.hits[place].take(1 << lane, L::Real::splat(hit.t), shares, self.body, number);
-        true
-    }
-}
-
-/// Is shown the facets that rays may meet.
-pub(super) trait Candidates<L: Lanes>: Visit<L> {
-    /// Tries a facet with some rays of a packet; whether that may have changed how far they look.
-    fn try_facet(&mut self, packet: usize, may: u8, number: u32) -> bool;
-}
-
-/// Shows the facets of a leaf that rays may meet, and shortens the beam.
-#[inline(always)]
-pub(super) fn try_leaf<L: Lanes>(
-    beam: &mut Beam<'_, L>,
-    place: LeafBox<'_>,
-    blocks: &[Facets4],
-    packets: u8,
-    from_one_point: bool,
-    candidates: &mut impl Candidates<L>,
-) {
-    for blocks in blocks.chunks(2) {
-        let mut seen = None;
-        for packet in lanes(packets) {
-            let rays = &beam.packets[packet];
-            let slack = slack(rays, place);
-            let mut better = false;
-            if rays.mask.is_power_of_two() {
-                // a single ray is tried with all facets at once
-                let lane = rays.mask.trailing_zeros() as usize;
-                let facets = SeenFacets::from_point::<L>(scalar::<L>(&rays.origin, lane), blocks);
-                let met = facets.met_by::<L>(scalar::<L>(&rays.direction, lane), slack.store()[lane]);
-                for (number, facet) in Facets4::places(blocks) {
-                    better |= met >> facet & 1 == 1 && candidates.try_facet(packet, rays.mask, number);
-                }
-            } else if from_one_point {
-                let lane = rays.mask.trailing_zeros() as usize & 7;
-                let facets = match &seen {
-                    Some(facets) => facets,
-                    None => seen.insert(SeenFacets::from_point::<L>(scalar::<L>(&rays.origin, lane), blocks)),
+        let TryFacets { leaves, beam, blocks, packets } = self;
+        let extent = leaves.facets.bvh().extent();
+        for blocks in leaves.facets.blocks()[blocks.start as usize..blocks.end as usize].chunks(2) {
+            let there = if blocks.len() == 1 { 0x0f } else { 0xff };
+            let seen = match &leaves.eye {
+                Some(eye) => Some(Seen::of::<B>(eye, blocks)),
+                None => None,
+            };
+            for place in lanes(packets) {
+                let rays = &beam.packets[place];
+                let found = &mut leaves.found[place];
+                let may = match &seen {
+                    Some(seen) => {
+                        let fan = match found.fan {
+                            Some(fan) => fan,
+                            None => *found.fan.insert(Fan::of(rays)),
+                        };
+                        there & seen.within::<B>(&fan)
+                    }
+                    None => there,
                 };
-                for (number, facet) in Facets4::places(blocks) {
-                    let may = facets.may_meet(rays, slack, facet);
-                    better |= may != 0 && candidates.try_facet(packet, may, number);
+                let mut nearer = false;
+                for facet in lanes(may) {
+                    let block = &blocks[facet / 4 % blocks.len()];
+                    let limit = leaves.found[place].limit;
+                    let sighted = match &seen {
+                        Some(seen) => seen.by(rays, facet, limit),
+                        None => sight(rays, extent, block, facet % 4, limit),
+                    };
+                    if sighted.may != 0 {
+                        leaves.weigh(place, block.facets[facet % 4], &sighted);
+                        nearer = true;
+                    }
                 }
-            } else {
-                for (block, lane) in Facets4::lanes(blocks) {
-                    let may = may_meet(rays, slack, block, lane);
-                    better |= may != 0 && candidates.try_facet(packet, may, block.facets[lane]);
+                if nearer {
+                    let limit = leaves.limit(place, rays.mask);
+                    beam.shorten(place, limit);
                 }
-            }
-            if better {
-                let limit = candidates.limit(packet, rays.mask);
-                beam.shorten(packet, limit);
             }
         }
     }
 }
 
-/// One lane of three coordinates.
-#[inline(always)]
-fn scalar<L: Lanes>(coordinates: &[L::Single; 3], lane: usize) -> [f32; 3] {
-    let [x, y, z] = coordinates;
-    [x.store()[lane], y.store()[lane], z.store()[lane]]
+impl<L: Backend> FacetLeaves<'_, L> {
+    /// Keeps what is surely nearer than all before, and tries what nobody knows.
+    #[inline(always)]
+    fn weigh(&mut self, place: usize, number: u32, sighted: &Sighted<L>) {
+        let found = &mut self.found[place];
+        let kept = sighted.sure & sighted.may & sighted.high.lt(found.low).bits();
+        let mask = L::SingleMask::from_bits(kept);
+        found.low = L::Single::select(mask, sighted.low, found.low);
+        found.limit = L::Single::select(mask, sighted.high.min(found.limit), found.limit);
+        for lane in 0..8 {
+            found.nearest[lane] = if kept >> lane & 1 == 1 { number } else { found.nearest[lane] };
+        }
+        let unknown = sighted.may & !kept & !sighted.low.gt(found.limit).bits();
+        if unknown != 0 {
+            L::enter(TryNow { leaves: self, place, number, may: unknown });
+        }
+    }
+}
+
+/// Tries one facet with some rays of a packet at once.
+struct TryNow<'s, 'v, B: Backend> {
+    leaves: &'s mut FacetLeaves<'v, B>,
+    place: usize,
+    number: u32,
+    may: u8,
+}
+
+impl<B: Backend> Step<B> for TryNow<'_, '_, B> {
+    #[inline(always)]
+    fn run(self) {
+        let TryNow { leaves: FacetLeaves { facets, body, block, hits, found, .. }, place, number, may } = self;
+        let packet = &block.packets[place];
+        let corners = facets.corners(number);
+        let tried = facet::<B>(packet.origin, packet.direction, corners);
+        let met = not_started_on(packet, tried.lanes & may, corners, *body);
+        if met != 0 {
+            hits[place].take(met, tried.t, Some((tried.alpha, tried.beta)), *body, number);
+            found[place].limit = found[place].limit.min(hits[place].limits());
+        }
+    }
 }
 
 /// The hits without those of rays that start on the very facet: on the body, or as primary rays, in the facet's plane.

@@ -7,7 +7,7 @@ use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{equal, lanes, mask};
 use crate::World;
-use crate::bvh::{Beam, LeafBox, Visit};
+use crate::bvh::{Beam, Visit};
 use crate::world::Geometry;
 
 /// An f32 that is not less than a distance.
@@ -115,8 +115,8 @@ impl<L: Lanes> Hits<L> {
 
     /// An f32 bound of the distance of each lane.
     #[inline(always)]
-    pub(super) fn farthest_each(&self) -> [f32; 8] {
-        (L::narrow(self.t) * L::Single::splat(UPWARDS)).store()
+    pub(super) fn limits(&self) -> L::Single {
+        L::narrow(self.t) * L::Single::splat(UPWARDS)
     }
 
     /// An f32 bound of the distances of some lanes.
@@ -143,7 +143,7 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
         for &number in &self.bodies[first as usize..(first + count) as usize] {
             match &self.world.body(number).geometry {
                 Geometry::Sphere { center, radius } => {

@@ -11,7 +11,7 @@ use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::World;
-use crate::bvh::{Beam, LeafBox, Visit};
+use crate::bvh::{Beam, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::Geometry;
 use glam::DVec3;
@@ -101,7 +101,7 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
         for &number in &self.bodies[first as usize..(first + count) as usize] {
             match &self.world.body(number).geometry {
                 Geometry::Sphere { center, radius } => {
