@@ -11,31 +11,31 @@
 //!
 //! * Volumes of edges. The start brings `4uR·2Ds·3 = 24uRDs`; `I` brings `6uRDs`; an edge, where the ray passes no farther
 //!   than `s` from the facet, which is so for what meets it in either arithmetic, `12uRDs`; roundings bring `30uRDs`. So
-//!   `α·I·N` and `β·I·N` are off by `72uRDs` at most. `N` is off by `8uEs + 8us²`, `I·N` so by `66uRDs`, and the remaining
-//!   volume, `I·N` less the two others, by `230uRDs`, its roundings counted in. All are less than `256uRDs`.
+//!   they are off by `72uRDs`, which is less than `80uRDs`. `N` is off by `8uEs + 8us²`, `I·N` so by `66uRDs`; the volume
+//!   of the third edge, where it is taken as `I·N` less the two others, by `230uRDs`, which is less than `256uRDs`.
 //! * The distance. Seen from where the ray meets the facet, errors do not grow with the distance to the start: `t·I·N` and
-//!   `a·N` differ by `3s·8uEs` for the direction of `N`, by `5uR·6·s1·s2` for the places of corner and ray, where `s1` and
-//!   `s2` are the greatest components of `e1` and `e2`, and by `36uA·s1·s2` for roundings, where `A` is that of `a` and
-//!   `s` together.
+//!   `a·N` differ by `3s·8uEs` for the direction of `N`; by `5uR·|N|` for the places of corner and ray, where `|N|` is the
+//!   sum of its components; and for roundings by `6u·|N|` times the way to the facet, along some axis.
 //!
-//! All sizes are taken greater by `4uR`, what the f32 corners may be off. What double precision adds to all that is less
-//! by 2⁻²⁴ and lost in the roundness of the bounds.
+//! All sizes are taken greater by `4uR`, what the f32 corners may be off, and all bounds by a fifth at least. What double
+//! precision adds is less by 2⁻²⁴ and lost in that.
 
 use super::lanes::{Lanes, Mask, Single};
 use crate::bvh::{Block, Shadow};
 
-/// `256u`.
-const EDGE: f32 = 1.0 / 65_536.0;
-/// `32u` and `48u`.
+/// `80u`, and its share of `256u`.
+const EDGE: f32 = 5.0 / 1_048_576.0;
+const THIRD: f32 = 5.0 / 16.0;
+/// `32u` and `8u`.
 const TURNED: f32 = 1.0 / 524_288.0;
-const ROUNDED: f32 = 3.0 / 1_048_576.0;
-/// `32uR` of what boxes are wider by, which is `4uR`.
-const MOVED: f32 = 8.0;
+const ROUNDED: f32 = 1.0 / 2_097_152.0;
+/// `8uR` of what boxes are wider by, which is `4uR`.
+const MOVED: f32 = 2.0;
 /// What is less than this may have been lost below the least number.
 const LEAST: f32 = 16.0 * f32::MIN_POSITIVE;
 /// Covers the roundings of a quotient.
-const LESS: f32 = 1.0 - 1.0 / 1_048_576.0;
-const MORE: f32 = 1.0 + 1.0 / 1_048_576.0;
+const LESS: f32 = 1.0 - 1.0 / 2_097_152.0;
+const MORE: f32 = 1.0 + 1.0 / 2_097_152.0;
 
 /// What a ray may meet of eight facets, or eight rays of one.
 pub(super) struct Sighted<L: Lanes> {
@@ -51,7 +51,7 @@ pub(super) struct Sighted<L: Lanes> {
 pub(super) struct Looking {
     origin: [[f32; 8]; 3],
     direction: [[f32; 8]; 3],
-    /// `256uRD`, `4uR`, `32uR` and `32uE`.
+    /// `80uRD`, `4uR`, `8uR` and `32uE`.
     edge: [f32; 8],
     wider: [f32; 8],
     moved: [f32; 8],
@@ -101,7 +101,7 @@ impl Looking {
     #[inline(always)]
     pub(super) fn at_facets<L: Lanes>(&self, lane: usize, blocks: &[Block], limit: f32) -> Sighted<L> {
         let ray = self.ray::<L>(lane);
-        let [a, e1, e2] = edges::<L>(blocks, ray.origin);
+        let [a, _, e1, e2, _] = edges::<L>(blocks, ray.origin);
         let mut sighted = ray.at(a, e1, e2, L::Single::splat(limit));
         // one block stands twice
         sighted.may &= if blocks.len() == 1 { 0x0f } else { 0xff };
@@ -116,11 +116,12 @@ impl<L: Lanes> Ray<L> {
         let normal = cross::<L>(&e1, &e2);
         let (alpha, beta) = (dot::<L>(&side, &e2), -dot::<L>(&side, &e1));
         let whole = dot::<L>(&self.direction, &normal);
-        let (s1, s2) = (greatest::<L>(&e1) + self.wider, greatest::<L>(&e2) + self.wider);
-        let size = s1.max(s2);
-        let moved = (greatest::<L>(&a) + size).mul_add(L::Single::splat(ROUNDED), self.moved);
-        let along = (size * size).mul_add(self.turned, (s1 * s2).mul_add(moved, L::Single::splat(LEAST)));
-        Volumes { alpha, beta, whole, ahead: dot::<L>(&a, &normal), edge: self.edge * size, along }.sight(limit)
+        // as exact as the others, for one test of all
+        let rest = (whole - alpha - beta) * L::Single::splat(THIRD);
+        let size = greatest::<L>(&e1).max(greatest::<L>(&e2)) + self.wider;
+        let along = off::<L>(&a, &normal, size, self.moved, self.turned);
+        let ahead = dot::<L>(&a, &normal);
+        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight(limit)
     }
 }
 
@@ -128,6 +129,7 @@ impl<L: Lanes> Ray<L> {
 struct Volumes<L: Lanes> {
     alpha: L::Single,
     beta: L::Single,
+    rest: L::Single,
     whole: L::Single,
     /// `a·N`.
     ahead: L::Single,
@@ -138,8 +140,7 @@ struct Volumes<L: Lanes> {
 impl<L: Lanes> Volumes<L> {
     #[inline(always)]
     fn sight(self, limit: L::Single) -> Sighted<L> {
-        let Volumes { alpha, beta, whole, ahead, edge, along } = self;
-        let rest = whole - alpha - beta;
+        let Volumes { alpha, beta, rest, whole, ahead, edge, along } = self;
         let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
         let inside = least.ge(-edge) | most.le(edge);
         // as if the facet were seen from its front
@@ -209,11 +210,12 @@ impl Fan {
     }
 }
 
-/// Up to eight facets as all rays from one point see them, by axis, then by facet: `α`, `β` and the whole are scalar
-/// products of these with a ray's direction.
+/// Up to eight facets as all rays from one point see them, by axis, then by facet: volumes are scalar products of these
+/// with a ray's direction.
 pub(super) struct Seen {
     alpha: [[f32; 8]; 3],
     beta: [[f32; 8]; 3],
+    rest: [[f32; 8]; 3],
     whole: [[f32; 8]; 3],
     ahead: [f32; 8],
     size: [f32; 8],
@@ -226,18 +228,15 @@ impl Seen {
     pub(super) fn of<L: Lanes>(eye: &Eye, blocks: &[Block]) -> Seen {
         let [x, y, z] = eye.origin;
         let origin = [L::Single::splat(x), L::Single::splat(y), L::Single::splat(z)];
-        let [a, e1, e2] = edges::<L>(blocks, origin);
+        let [a, b, e1, e2, e3] = edges::<L>(blocks, origin);
         let ([ax, ay, az], [bx, by, bz]) = (cross::<L>(&e2, &a), cross::<L>(&a, &e1));
-        let normal = cross::<L>(&e1, &e2);
-        let wider = L::Single::splat(eye.wider);
-        let (s1, s2) = (greatest::<L>(&e1) + wider, greatest::<L>(&e2) + wider);
-        let size = s1.max(s2);
-        let moved = (greatest::<L>(&a) + size).mul_add(L::Single::splat(ROUNDED), L::Single::splat(eye.moved));
-        let turned = L::Single::splat(eye.turned);
-        let along = (size * size).mul_add(turned, (s1 * s2).mul_add(moved, L::Single::splat(LEAST)));
+        let (normal, [cx, cy, cz]) = (cross::<L>(&e1, &e2), cross::<L>(&b, &e3));
+        let size = greatest::<L>(&e1).max(greatest::<L>(&e2)) + L::Single::splat(eye.wider);
+        let along = off::<L>(&a, &normal, size, L::Single::splat(eye.moved), L::Single::splat(eye.turned));
         Seen {
             alpha: [ax.store(), ay.store(), az.store()],
             beta: [bx.store(), by.store(), bz.store()],
+            rest: [cx.store(), cy.store(), cz.store()],
             whole: [normal[0].store(), normal[1].store(), normal[2].store()],
             ahead: dot::<L>(&a, &normal).store(),
             size: size.store(),
@@ -249,12 +248,7 @@ impl Seen {
     #[inline(always)]
     pub(super) fn within<L: Lanes>(&self, fan: &Fan) -> u8 {
         let (alpha, beta) = (span::<L>(&self.alpha, fan), span::<L>(&self.beta, fan));
-        let mut rest = [[0.0; 8]; 3];
-        for axis in 0..3 {
-            let whole = L::Single::load(&self.whole[axis]);
-            rest[axis] = (whole - L::Single::load(&self.alpha[axis]) - L::Single::load(&self.beta[axis])).store();
-        }
-        let rest = span::<L>(&rest, fan);
+        let rest = span::<L>(&self.rest, fan);
         let edge = L::Single::load(&self.size) * L::Single::splat(fan.edge);
         let positive = alpha.1.min(beta.1).min(rest.1).ge(-edge);
         let negative = alpha.0.max(beta.0).max(rest.0).le(edge);
@@ -267,6 +261,7 @@ impl Seen {
         let volume = Volumes::<L> {
             alpha: dot::<L>(&rays.direction, &one::<L>(&self.alpha, facet)),
             beta: dot::<L>(&rays.direction, &one::<L>(&self.beta, facet)),
+            rest: dot::<L>(&rays.direction, &one::<L>(&self.rest, facet)),
             whole: dot::<L>(&rays.direction, &one::<L>(&self.whole, facet)),
             ahead: L::Single::splat(self.ahead[facet]),
             edge: rays.spread * L::Single::splat(self.size[facet] * EDGE),
@@ -322,19 +317,36 @@ pub(super) fn sight<L: Lanes>(
     sighted
 }
 
-/// The first corners of facets seen from a point, and `P0P1` and `P0P2`.
+/// The corners `P0` and `P1` of facets seen from a point, and `P0P1`, `P0P2` and `P1P2`.
 #[inline(always)]
-fn edges<L: Lanes>(blocks: &[Block], origin: [L::Single; 3]) -> [[L::Single; 3]; 3] {
+fn edges<L: Lanes>(blocks: &[Block], origin: [L::Single; 3]) -> [[L::Single; 3]; 5] {
     let (low, high) = (&blocks[0].corners, &blocks[blocks.len() - 1].corners);
-    let zero = [L::Single::splat(0.0); 3];
-    let (mut a, mut e1, mut e2) = (zero, zero, zero);
+    let mut edges = [[L::Single::splat(0.0); 3]; 5];
     for axis in 0..3 {
         let p0 = L::Single::of_halves(&low[0][axis], &high[0][axis]);
-        a[axis] = p0 - origin[axis];
-        e1[axis] = L::Single::of_halves(&low[1][axis], &high[1][axis]) - p0;
-        e2[axis] = L::Single::of_halves(&low[2][axis], &high[2][axis]) - p0;
+        let p1 = L::Single::of_halves(&low[1][axis], &high[1][axis]);
+        let p2 = L::Single::of_halves(&low[2][axis], &high[2][axis]);
+        edges[0][axis] = p0 - origin[axis];
+        edges[1][axis] = p1 - origin[axis];
+        edges[2][axis] = p1 - p0;
+        edges[3][axis] = p2 - p0;
+        edges[4][axis] = p2 - p1;
     }
-    [a, e1, e2]
+    edges
+}
+
+/// How far a distance along a ray, times the whole volume, may be off.
+#[inline(always)]
+fn off<L: Lanes>(
+    a: &[L::Single; 3],
+    normal: &[L::Single; 3],
+    size: L::Single,
+    moved: L::Single,
+    turned: L::Single,
+) -> L::Single {
+    let sum = normal[0].abs() + normal[1].abs() + normal[2].abs();
+    let moved = (greatest::<L>(a) + size).mul_add(L::Single::splat(ROUNDED), moved);
+    (size * size).mul_add(turned, sum.mul_add(moved, L::Single::splat(LEAST)))
 }
 
 /// The least and the greatest scalar product of a fan's directions with each of eight vectors.
