@@ -102,16 +102,15 @@ impl Looking {
     pub(super) fn at_facets<L: Lanes>(&self, lane: usize, blocks: &[Block], limit: f32) -> Sighted<L> {
         let ray = self.ray::<L>(lane);
         let [a, _, e1, e2, _] = edges::<L>(blocks, ray.origin);
-        let mut sighted = ray.at(a, e1, e2, L::Single::splat(limit));
         // one block stands twice
-        sighted.may &= if blocks.len() == 1 { 0x0f } else { 0xff };
-        sighted
+        let mask = if blocks.len() == 1 { 0x0f } else { 0xff };
+        ray.at([a, e1, e2], mask, L::Single::splat(limit))
     }
 }
 
 impl<L: Lanes> Ray<L> {
     #[inline(always)]
-    fn at(&self, a: [L::Single; 3], e1: [L::Single; 3], e2: [L::Single; 3], limit: L::Single) -> Sighted<L> {
+    fn at(&self, [a, e1, e2]: [[L::Single; 3]; 3], mask: u8, limit: L::Single) -> Sighted<L> {
         let side = cross::<L>(&a, &self.direction);
         let normal = cross::<L>(&e1, &e2);
         let (alpha, beta) = (dot::<L>(&side, &e2), -dot::<L>(&side, &e1));
@@ -121,7 +120,7 @@ impl<L: Lanes> Ray<L> {
         let size = greatest::<L>(&e1).max(greatest::<L>(&e2)) + self.wider;
         let along = off::<L>(&a, &normal, size, self.moved, self.turned);
         let ahead = dot::<L>(&a, &normal);
-        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight(limit)
+        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight(mask, limit)
     }
 }
 
@@ -139,24 +138,27 @@ struct Volumes<L: Lanes> {
 
 impl<L: Lanes> Volumes<L> {
     #[inline(always)]
-    fn sight(self, limit: L::Single) -> Sighted<L> {
+    fn sight(self, mask: u8, limit: L::Single) -> Sighted<L> {
         let Volumes { alpha, beta, rest, whole, ahead, edge, along } = self;
         let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
-        let inside = least.ge(-edge) | most.le(edge);
+        let inside = (least.ge(-edge) | most.le(edge)).bits() & mask;
+        if inside == 0 {
+            return Sighted { may: 0, sure: 0, low: ahead, high: ahead };
+        }
         // as if the facet were seen from its front
         let (amount, ahead) = (whole.abs(), ahead.flipped_by(whole));
         let in_reach =
             (ahead - along).le(limit * amount * L::Single::splat(MORE)) & (ahead + along).ge(L::Single::splat(0.0));
-        let may = (inside & (in_reach | amount.le(edge))).bits();
-        let mut sighted = Sighted { may, sure: 0, low: ahead, high: ahead };
-        if may != 0 {
-            let surely = least.gt(edge) | most.lt(-edge);
-            sighted.sure = (surely & ahead.gt(along * L::Single::splat(4.0))).bits();
-            let inverse = L::Single::splat(1.0) / amount;
-            sighted.low = (ahead - along) * inverse * L::Single::splat(LESS);
-            sighted.high = (ahead + along) * inverse * L::Single::splat(MORE);
+        let may = inside & (in_reach | amount.le(edge)).bits();
+        if may == 0 {
+            return Sighted { may, sure: 0, low: ahead, high: ahead };
         }
-        sighted
+        let surely = least.gt(edge) | most.lt(-edge);
+        let sure = (surely & ahead.gt(along * L::Single::splat(4.0))).bits() & may;
+        let inverse = L::Single::splat(1.0) / amount;
+        let low = (ahead - along) * inverse * L::Single::splat(LESS);
+        let high = (ahead + along) * inverse * L::Single::splat(MORE);
+        Sighted { may, sure, low, high }
     }
 }
 
@@ -267,9 +269,7 @@ impl Seen {
             edge: rays.spread * L::Single::splat(self.size[facet] * EDGE),
             along: L::Single::splat(self.along[facet]),
         };
-        let mut sighted = volume.sight(limit);
-        sighted.may &= rays.mask;
-        sighted
+        volume.sight(rays.mask, limit)
     }
 }
 
@@ -279,10 +279,13 @@ impl Seen {
     #[inline(always)]
     pub(super) fn before<L: Lanes>(&self, rays: &Shadow<L>, facet: usize, distance: L::Single) -> Sighted<L> {
         let mut sighted = self.by(rays, facet, distance * L::Single::splat(MORE));
+        if sighted.sure == 0 {
+            return sighted;
+        }
         let whole = dot::<L>(&rays.direction, &one::<L>(&self.whole, facet));
         let ahead = L::Single::splat(self.ahead[facet]).flipped_by(whole);
         let before = ahead + L::Single::splat(4.0 * self.along[facet]);
-        sighted.sure &= sighted.may & before.lt(distance * whole.abs() * L::Single::splat(LESS)).bits();
+        sighted.sure &= before.lt(distance * whole.abs() * L::Single::splat(LESS)).bits();
         sighted
     }
 }
@@ -312,9 +315,7 @@ pub(super) fn sight<L: Lanes>(
         moved: rays.wider * L::Single::splat(MOVED),
         turned: L::Single::splat(extent * TURNED),
     };
-    let mut sighted = ray.at(a, e1, e2, limit);
-    sighted.may &= rays.mask;
-    sighted
+    ray.at([a, e1, e2], rays.mask, limit)
 }
 
 /// The corners `P0` and `P1` of facets seen from a point, and `P0P1`, `P0P2` and `P1P2`.

@@ -208,7 +208,7 @@ impl<L: Backend> FacetLeaves<'_, L> {
     #[inline(always)]
     fn weigh(&mut self, place: usize, number: u32, sighted: &Sighted<L>) {
         let found = &mut self.found[place];
-        let kept = sighted.sure & sighted.may & sighted.high.lt(found.low).bits();
+        let kept = sighted.sure & sighted.high.lt(found.low).bits();
         let mask = L::SingleMask::from_bits(kept);
         found.low = L::Single::select(mask, sighted.low, found.low);
         found.limit = L::Single::select(mask, sighted.high.min(found.limit), found.limit);
