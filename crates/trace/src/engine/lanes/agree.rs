@@ -33,6 +33,13 @@ struct Operands {
     right: u8,
 }
 
+impl Operands {
+    /// Small numbers, of which some are equal.
+    fn numbers(&self) -> [u32; 8] {
+        self.p.map(|p| p.to_bits() % 3)
+    }
+}
+
 /// The operations' names and the bits of their lanes; every NaN has the same.
 type Results = Vec<(&'static str, [u64; 8])>;
 
@@ -94,6 +101,7 @@ fn reals<L: Lanes>(operands: &Operands) -> Results {
         ("and", truth(left & right)),
         ("or", truth(left | right)),
         ("not", truth(!left)),
+        ("equal", truth_bits(L::equal(&operands.numbers(), operands.numbers()[3]))),
     ]
 }
 
@@ -114,6 +122,7 @@ fn singles<L: Lanes>(operands: &Operands) -> Results {
         ("f32 p / q", single(p / q)),
         ("f32 -p", single(-p)),
         ("f32 abs", single(p.abs())),
+        ("f32 flipped_by", single(p.flipped_by(q))),
         ("f32 min", single(p.min(q))),
         ("f32 max", single(p.max(q))),
         ("f32 lt", truth(p.lt(q))),
@@ -169,6 +178,7 @@ fn expected(operands: &Operands) -> Results {
         ("and", truths(&|i| bit(left & right, i))),
         ("or", truths(&|i| bit(left | right, i))),
         ("not", truths(&|i| !bit(*left, i))),
+        ("equal", truths(&|i| operands.numbers()[i] == operands.numbers()[3])),
         ("f32 splat", single(&|_| p[0])),
         ("f32 load", single(&|i| p[i])),
         ("f32 of_halves", single(&|i| if i < 4 { p_numbers[i] } else { q_numbers[i] })),
@@ -178,6 +188,7 @@ fn expected(operands: &Operands) -> Results {
         ("f32 p / q", single(&|i| p[i] / q[i])),
         ("f32 -p", single(&|i| -p[i])),
         ("f32 abs", single(&|i| p[i].abs())),
+        ("f32 flipped_by", single(&|i| if q[i].is_sign_negative() { -p[i] } else { p[i] })),
         ("f32 min", single(&|i| if p[i] < q[i] { p[i] } else { q[i] })),
         ("f32 max", single(&|i| if p[i] > q[i] { p[i] } else { q[i] })),
         ("f32 lt", truths(&|i| p[i] < q[i])),
