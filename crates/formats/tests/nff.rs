@@ -54,10 +54,8 @@ fn told(text: &str) -> Vec<String> {
 }
 
 fn mesh(shape: &Shape) -> &Mesh {
-    match shape {
-        Shape::Mesh(mesh) => mesh,
-        other => panic!("{other:?}"),
-    }
+    let Shape::Mesh(mesh) = shape else { panic!("{shape:?}") };
+    mesh
 }
 
 #[test]

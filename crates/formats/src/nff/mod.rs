@@ -12,7 +12,7 @@ mod view;
 
 pub use problem::NffProblem;
 
-use crate::{Diagnostic, Outcome, Source};
+use crate::{Diagnostic, Outcome, Severity, Source};
 use entities::Entities;
 use lancer_scene::{Scene, Views};
 use std::sync::Arc;
@@ -50,25 +50,16 @@ pub fn read(name: impl Into<Arc<str>>, bytes: &[u8]) -> NffFile {
     let source = Source { name: name.into(), text: String::from_utf8_lossy(bytes).into() };
     let mut entities = Entities::of(&source.text);
     let mut scene = scene::Builder::new(source.text.len());
-    let mut view = None;
     while let Some(entity) = entities.next_entity(&mut scene.sink) {
-        match entity {
-            entities::Entity::View(found) => match &view {
-                None => view = Some(found),
-                Some(_) => scene.sink.warn(found.span, NffProblem::SecondView),
-            },
-            other => scene.add(other),
-        }
+        scene.add(entity);
     }
-    let views = view::read(view, &mut scene.sink);
+    let views = view::read(scene.view.take(), &mut scene.sink);
     let (scene, of_scene, of_view) = scene.finish();
-    let outcome = |value: bool, diagnostics: Vec<Diagnostic>| (value && !has_errors(&diagnostics), diagnostics);
-    let (sound, diagnostics) = outcome(true, of_scene);
-    let scene = Outcome { value: sound.then_some(scene), diagnostics };
-    let (sound, diagnostics) = outcome(views.is_some(), of_view);
-    NffFile { source, scene, views: Outcome { value: views.filter(|_| sound), diagnostics } }
+    NffFile { source, scene: outcome(Some(scene), of_scene), views: outcome(views, of_view) }
 }
 
-fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|found| found.severity == crate::Severity::Error)
+/// The value, unless some diagnostic is an error.
+fn outcome<T>(value: Option<T>, diagnostics: Vec<Diagnostic>) -> Outcome<T> {
+    let sound = diagnostics.iter().all(|found| found.severity != Severity::Error);
+    Outcome { value: value.filter(|_| sound), diagnostics }
 }

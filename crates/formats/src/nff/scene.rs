@@ -6,7 +6,7 @@
 //! rays end after five levels, as that text says. All polygons under one fill are one mesh, and all patches are another.
 
 use super::NffProblem;
-use super::entities::{Entity, Fill, Sink};
+use super::entities::{Entity, Fill, Sink, View};
 use crate::mesh::triangulate;
 use crate::{Diagnostic, Span};
 use glam::DVec3;
@@ -27,6 +27,7 @@ const VERTEX_BYTES: usize = 120;
 /// Puts a scene together.
 pub(super) struct Builder {
     pub(super) sink: Sink,
+    pub(super) view: Option<View>,
     background: Rgb,
     lights: Vec<(DVec3, Option<Rgb>)>,
     materials: Vec<Material>,
@@ -74,6 +75,7 @@ impl Builder {
     pub(super) fn new(bytes: usize) -> Builder {
         Builder {
             sink: Sink::default(),
+            view: None,
             background: Rgb::BLACK,
             lights: Vec::new(),
             materials: Vec::new(),
@@ -93,8 +95,8 @@ impl Builder {
             return;
         }
         match entity {
-            // the reader keeps it
-            Entity::View(_) => {}
+            Entity::View(view) if self.view.is_none() => self.view = Some(view),
+            Entity::View(view) => self.sink.warn(view.span, NffProblem::SecondView),
             Entity::Background(color) => self.background = color,
             Entity::Light { position, color } => {
                 self.used += OBJECT_BYTES;
