@@ -123,6 +123,11 @@ fn ends<L: Lanes>(origin: Vector<L::Real>, direction: Vector<L::Real>, cone: &Co
     let c = beside.dot(beside) - radius * radius;
     let delta = b * b - a * c;
     let two_roots = delta.gt(zero);
+    let steep = a.lt(zero);
+    // most rays pass beside it: without roots, and not down the axis
+    if (two_roots | steep | (a.eq(zero) & b.eq(zero))).bits() == 0 {
+        return Ends { enter: infinity, leave: -infinity, entered: [0; 3], left: [0; 3] };
+    }
     let root = L::Real::select(two_roots, delta.sqrt(), zero);
     let q = L::Real::select(b.gt(zero), -(b + root), root - b);
     let first = q / a;
@@ -131,7 +136,6 @@ fn ends<L: Lanes>(origin: Vector<L::Real>, direction: Vector<L::Real>, cone: &Co
     let near_root = L::Real::select(ordered, first, second);
     let far_root = L::Real::select(ordered, second, first);
 
-    let steep = a.lt(zero);
     let chord = !steep & two_roots & (radius * a - growth * b).gt(zero);
     let along = !steep & !chord & a.eq(zero) & b.eq(zero) & c.lt(zero);
     let grows = steep & growth.gt(zero);
