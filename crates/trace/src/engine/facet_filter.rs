@@ -120,7 +120,7 @@ impl<L: Lanes> Ray<L> {
         let size = greatest::<L>(&e1).max(greatest::<L>(&e2)) + self.wider;
         let along = off::<L>(&a, &normal, size, self.moved, self.turned);
         let ahead = dot::<L>(&a, &normal);
-        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight(mask, limit)
+        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight::<false>(mask, limit)
     }
 }
 
@@ -137,12 +137,13 @@ struct Volumes<L: Lanes> {
 }
 
 impl<L: Lanes> Volumes<L> {
+    /// `EARLY`: asks first whether there is anything to look for, where that can be foretold.
     #[inline(always)]
-    fn sight(self, mask: u8, limit: L::Single) -> Sighted<L> {
+    fn sight<const EARLY: bool>(self, mask: u8, limit: L::Single) -> Sighted<L> {
         let Volumes { alpha, beta, rest, whole, ahead, edge, along } = self;
         let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
         let inside = (least.ge(-edge) | most.le(edge)).bits() & mask;
-        if inside == 0 {
+        if EARLY && inside == 0 {
             return Sighted { may: 0, sure: 0, low: ahead, high: ahead };
         }
         // as if the facet were seen from its front
@@ -269,7 +270,7 @@ impl Seen {
             edge: rays.spread * L::Single::splat(self.size[facet] * EDGE),
             along: L::Single::splat(self.along[facet]),
         };
-        volume.sight(rays.mask, limit)
+        volume.sight::<true>(rays.mask, limit)
     }
 }
 
