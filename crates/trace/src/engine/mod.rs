@@ -9,6 +9,7 @@
 //! find hits, `surface_point` points, `light` and `bounce` colours; `path` is the recursion, `dispatch` the way in.
 #![allow(clippy::needless_range_loop, reason = "closures of iterators are not compiled for a backend")]
 
+mod blocking_alone;
 mod bounce;
 mod caster;
 mod dispatch;
