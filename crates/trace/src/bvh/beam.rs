@@ -169,12 +169,6 @@ impl<'b, L: Lanes> Beam<'b, L> {
         self.limits[packet] = limit;
     }
 
-    /// How far a packet still looks.
-    #[inline(always)]
-    pub(crate) fn limit(&self, packet: usize) -> f32 {
-        self.limits[packet]
-    }
-
     /// The packets that look anywhere.
     #[inline(always)]
     pub(crate) fn looking(&self) -> u8 {

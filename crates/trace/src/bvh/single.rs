@@ -59,8 +59,10 @@ impl Scattered {
             return;
         }
         self.packets += 1;
-        self.mask |= u32::from(rays.mask) << first;
+        let mut there = rays.mask;
         for axis in 0..3 {
+            // what is not a number would meet every box
+            there &= rays.above[axis].abs().ge(L::Single::splat(0.0)).bits();
             let down = rays.inverse[axis].lt(L::Single::splat(0.0));
             let (above, below) = (rays.above[axis], rays.below[axis]);
             put(&mut self.inverse[axis], first, rays.inverse[axis].store());
@@ -68,6 +70,7 @@ impl Scattered {
             put(&mut self.leave[axis], first, L::Single::select(down, above, below).store());
             self.down[axis] |= u32::from(down.bits()) << first;
         }
+        self.mask |= u32::from(there) << first;
     }
 
     /// Where a ray enters the boxes of a node's children; -1 for those that it does not meet before `limit`.

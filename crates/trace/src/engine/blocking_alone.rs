@@ -7,7 +7,7 @@ use super::facets_blocking::TryNow;
 use super::facets_nearest::send;
 use super::hidden_surfaces::UPWARDS;
 use super::lanes::{Lanes, Mask, Single};
-use super::packet::PerPacket;
+use super::packet::PACKETS;
 use super::shadows::ToLamp;
 use super::vector::lanes;
 use crate::bvh::{Beam, Follow, Scattered};
@@ -20,18 +20,20 @@ pub(super) struct BlockedAlone<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
     pub(super) lamp: DVec3,
-    pub(super) rays: &'s PerPacket<ToLamp<B>>,
-    pub(super) blocked: &'s mut PerPacket<u8>,
+    pub(super) rays: &'s [ToLamp<B>],
+    /// The rays of each packet that ask.
+    pub(super) asked: &'s [u8; PACKETS],
+    pub(super) blocked: &'s mut [u8; PACKETS],
     pub(super) packets: u8,
 }
 
 impl<B: Backend> Step<B> for BlockedAlone<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let BlockedAlone { facets, body, lamp, rays, blocked, packets } = self;
+        let BlockedAlone { facets, body, lamp, rays, asked, blocked, packets } = self;
         let mut beam: Beam<'_, B> = Beam::new(facets.bvh(), facets.margin());
         for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { packet.mask & !blocked[place] } else { 0 };
+            let mask = if packets >> place & 1 == 1 { asked[place] & !blocked[place] } else { 0 };
             send(&mut beam, facets, (packet.origin, packet.direction), mask, f32::INFINITY);
         }
         let extent = facets.bvh().extent();
@@ -65,8 +67,8 @@ struct Leaves<'v, L: Lanes> {
     facets: &'v Facets,
     body: u32,
     lamp: DVec3,
-    rays: &'v PerPacket<ToLamp<L>>,
-    blocked: &'v mut PerPacket<u8>,
+    rays: &'v [ToLamp<L>],
+    blocked: &'v mut [u8; PACKETS],
     asking: ArrayVec<Asking, { Scattered::PACKETS }>,
 }
 

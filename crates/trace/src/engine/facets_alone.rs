@@ -11,7 +11,7 @@ use super::hidden_surfaces::UPWARDS;
 use super::intersect::facet_each;
 use super::lanes::{Lanes, Real, Single};
 use super::packet::{Block, Hits, Packet, PerPacket};
-use super::vector::{Vector, equal, lanes};
+use super::vector::{Vector, lanes};
 use crate::Ray;
 use crate::bvh::{Beam, Follow, NO_FACET, Scattered};
 use crate::reference::intersect::intersect_facet;
@@ -50,7 +50,7 @@ impl<B: Backend> Step<B> for Alone<'_, '_, B> {
             facets.bvh().follow::<B>(&turns, &mut leaves);
             let Leaves { lanes: found, hits, .. } = leaves;
             for Found { place, nearest, .. } in &found {
-                let left = !equal(nearest, NO_FACET);
+                let left = !B::equal(nearest, NO_FACET);
                 if left != 0 {
                     take_each(facets, body, &block.packets[*place], nearest, left, &mut hits[*place]);
                 }

@@ -6,7 +6,7 @@ use super::facet_filter::{Eye, Fan, Seen};
 use super::facets_nearest::{not_started_on, send};
 use super::intersect::facet;
 use super::lanes::{Lanes, Mask, Real};
-use super::packet::{PACKETS, PerPacket};
+use super::packet::PACKETS;
 use super::shadows::ToLamp;
 use super::vector::{Vector, lanes};
 use crate::bvh::{Beam, Visit};
@@ -15,25 +15,24 @@ use crate::world::Facets;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Tries a set of facets with some packets of a beam.
-pub(super) struct OnFacets<'s, 'b, B: Backend> {
+/// Tries a set of facets with some rays of each packet.
+pub(super) struct OnFacets<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
     pub(super) lamp: DVec3,
-    pub(super) rays: &'s PerPacket<ToLamp<B>>,
-    pub(super) blocked: &'s mut PerPacket<u8>,
-    pub(super) beam: &'s Beam<'b, B>,
-    pub(super) packets: u8,
+    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) blocked: &'s mut [u8; PACKETS],
+    pub(super) asked: &'s [u8; PACKETS],
 }
 
-impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
+impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let OnFacets { facets, body, lamp, rays, blocked, beam, packets } = self;
+        let OnFacets { facets, body, lamp, rays, blocked, asked } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
-        for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask & !blocked[place] } else { 0 };
-            send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
+        for (place, ray) in rays.iter().enumerate() {
+            let open = asked[place] & !blocked[place];
+            send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
         }
         let together = within.looking();
         if together == 0 {
@@ -45,7 +44,7 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
         within.traverse(&mut leaves);
         let FacetLeaves { left, blocked, .. } = leaves;
         if left != 0 {
-            B::enter(BlockedAlone { facets, body, lamp, rays, blocked, packets: left });
+            B::enter(BlockedAlone { facets, body, lamp, rays, asked, blocked, packets: left });
         }
     }
 }
@@ -59,8 +58,8 @@ struct FacetLeaves<'v, L: Lanes> {
     facets: &'v Facets,
     body: u32,
     lamp: DVec3,
-    rays: &'v PerPacket<ToLamp<L>>,
-    blocked: &'v mut PerPacket<u8>,
+    rays: &'v [ToLamp<L>],
+    blocked: &'v mut [u8; PACKETS],
     /// The lamp, where all rays start for culling.
     eye: Eye,
     /// The directions of each packet, once they are needed.
@@ -147,8 +146,8 @@ pub(super) struct TryNow<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
     pub(super) lamp: DVec3,
-    pub(super) rays: &'s PerPacket<ToLamp<B>>,
-    pub(super) blocked: &'s mut PerPacket<u8>,
+    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) blocked: &'s mut [u8; PACKETS],
     pub(super) place: usize,
     pub(super) number: u32,
     pub(super) may: u8,
@@ -158,7 +157,7 @@ impl<B: Backend> Step<B> for TryNow<'_, B> {
     #[inline(always)]
     fn run(self) {
         let TryNow { facets, body, lamp, rays, blocked, place, number, may } = self;
-        let ToLamp { packet, distance } = &rays[place];
+        let ToLamp { packet, distance, .. } = &rays[place];
         let corners = facets.corners(number);
         let found = facet::<B>(packet.origin, packet.direction, corners);
         let met = found.lanes & may & found.t.lt(*distance).bits();

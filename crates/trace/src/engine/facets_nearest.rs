@@ -5,32 +5,34 @@ use super::facet_filter::{Eye, Fan, Seen, Sighted, sight};
 use super::facets_alone::{Alone, take_each};
 use super::intersect::facet;
 use super::lanes::{Lanes, Mask, Real, Single};
-use super::packet::{Block, Hits, NOTHING, Packet, PerPacket};
-use super::vector::{Vector, equal, lanes};
+use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
+use super::vector::{Vector, lanes};
 use crate::bvh::{Beam, NO_FACET, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::Facets;
 use glam::{DMat3, DVec3};
 use std::ops::Range;
 
-/// Tries a set of facets with some packets of a beam.
-pub(super) struct OnFacets<'s, 'b, B: Backend> {
+/// Tries a set of facets with some rays of each packet.
+pub(super) struct OnFacets<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
     pub(super) block: &'s Block<B>,
     pub(super) hits: &'s mut PerPacket<Hits<B>>,
-    pub(super) beam: &'s mut Beam<'b, B>,
-    pub(super) packets: u8,
+    pub(super) rays: &'s [u8; PACKETS],
 }
 
-impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
+impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let OnFacets { facets, body, block, hits, beam, packets } = self;
+        let OnFacets { facets, body, block, hits, rays } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
+        let mut packets = 0;
         for (place, packet) in block.packets.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask } else { 0 };
-            send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
+            let mask = rays[place];
+            let limit = if mask == 0 { -1.0 } else { hits[place].farthest(mask) };
+            send(&mut within, facets, (packet.origin, packet.direction), mask, limit);
+            packets |= u8::from(mask != 0) << place;
         }
         // rays from several points keep together where all boxes are tried anyway
         let scattered =
@@ -48,15 +50,11 @@ impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
             let FacetLeaves { hits, found, .. } = leaves;
             for place in lanes(together) {
                 let nearest = &found[place].nearest;
-                let left = !equal(nearest, NO_FACET);
+                let left = !B::equal(nearest, NO_FACET);
                 if left != 0 {
                     take_each(facets, body, &block.packets[place], nearest, left, &mut hits[place]);
                 }
             }
-        }
-        for place in lanes(packets) {
-            // not the limit within: rays that went one by one have left it at the last one's
-            beam.shorten(place, hits[place].farthest(beam.packets[place].mask));
         }
     }
 }
@@ -250,13 +248,13 @@ impl<B: Backend> Step<B> for TryNow<'_, '_, B> {
 pub(super) fn not_started_on<L: Lanes>(packet: &Packet<L>, met: u8, [p0, p1, p2]: [DVec3; 3], body: u32) -> u8 {
     let starts_in_plane = |lane| lies_in_plane(packet.origin.lane(lane), p0, p1, p2);
     let mut kept = met;
-    for lane in lanes(met & equal(&packet.start, body)) {
+    for lane in lanes(met & L::equal(&packet.start, body)) {
         if starts_in_plane(lane) {
             kept &= !(1 << lane);
         }
     }
     // primary rays all start at the eye
-    let primary = met & equal(&packet.start, NOTHING);
+    let primary = met & L::equal(&packet.start, NOTHING);
     if primary != 0 && starts_in_plane(primary.trailing_zeros() as usize) {
         kept &= !primary;
     }

@@ -2,10 +2,11 @@
 
 use super::dispatch::{Backend, Step};
 use super::facets_nearest::OnFacets;
+use super::few::{Aimed, Start};
 use super::intersect::{plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
-use super::vector::{equal, lanes, mask};
+use super::vector::{lanes, mask};
 use crate::World;
 use crate::bvh::{Beam, Visit};
 use crate::world::Geometry;
@@ -55,6 +56,19 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
             }
         }
     }
+    if let Some(few) = world.few() {
+        let mut aimed = Aimed::NONE;
+        for (place, (packet, hits)) in block.packets.iter().zip(hits.iter()).enumerate() {
+            if packet.mask != 0 {
+                let start = Start::at(few, packet.origin);
+                aimed.aim::<L>((few, few.all()), place, (&start, packet.direction), hits.t, packet.mask);
+            }
+        }
+        for (&body, rays) in few.numbers().iter().zip(&aimed.lanes) {
+            try_body(world, eye_lies_on, block, hits, body, rays);
+        }
+        return;
+    }
     let (bvh, bodies) = world.bounded();
     let mut beam = Beam::new(bvh, bvh.margin());
     for (packet, hits) in block.packets.iter().zip(hits.iter()) {
@@ -63,15 +77,45 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
     beam.traverse(&mut Bodies { world, bodies, eye_lies_on, block, hits });
 }
 
+/// Tries a body with some rays of each packet.
+#[inline(always)]
+fn try_body<L: Backend>(
+    world: &World,
+    eye_lies_on: &[u32],
+    block: &Block<L>,
+    hits: &mut PerPacket<Hits<L>>,
+    number: u32,
+    rays: &[u8; PACKETS],
+) {
+    match &world.body(number).geometry {
+        Geometry::Sphere { center, radius } => {
+            for (place, packet) in block.packets.iter().enumerate() {
+                if rays[place] != 0 {
+                    let here = packet.starts_on(number, eye_lies_on);
+                    let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
+                    hits[place].take(met & rays[place], t, None, number, 0);
+                }
+            }
+        }
+        Geometry::Facets(facets) => {
+            if *rays != [0; PACKETS] {
+                L::enter(OnFacets { facets, body: number, block, hits, rays });
+            }
+        }
+        // planes have no bounds
+        Geometry::Plane { .. } => {}
+    }
+}
+
 impl<L: Lanes> Packet<L> {
     /// The lanes whose rays start on a body.
     #[inline(always)]
     pub(super) fn starts_on(&self, body: u32, eye_lies_on: &[u32]) -> u8 {
-        let here = equal(&self.start, body);
+        let here = L::equal(&self.start, body);
         if eye_lies_on.is_empty() || eye_lies_on.binary_search(&body).is_err() {
             here
         } else {
-            here | equal(&self.start, NOTHING)
+            here | L::equal(&self.start, NOTHING)
         }
     }
 }
@@ -144,26 +188,15 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
 
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
+        let mut rays = [0; PACKETS];
+        for place in lanes(packets) {
+            rays[place] = beam.packets[place].mask;
+        }
         for &number in &self.bodies[first as usize..(first + count) as usize] {
-            match &self.world.body(number).geometry {
-                Geometry::Sphere { center, radius } => {
-                    for place in lanes(packets) {
-                        let packet = &self.block.packets[place];
-                        let here = packet.starts_on(number, self.eye_lies_on);
-                        let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
-                        let mask = beam.packets[place].mask;
-                        if met & mask != 0 {
-                            self.hits[place].take(met & mask, t, None, number, 0);
-                            beam.shorten(place, self.hits[place].farthest(mask));
-                        }
-                    }
-                }
-                Geometry::Facets(facets) => {
-                    L::enter(OnFacets { facets, body: number, block: self.block, hits: self.hits, beam, packets });
-                }
-                // planes have no bounds
-                Geometry::Plane { .. } => {}
-            }
+            try_body(self.world, self.eye_lies_on, self.block, self.hits, number, &rays);
+        }
+        for place in lanes(packets) {
+            beam.shorten(place, self.hits[place].farthest(rays[place]));
         }
     }
 }

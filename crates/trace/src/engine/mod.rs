@@ -17,6 +17,7 @@ mod facet_filter;
 mod facets_alone;
 mod facets_blocking;
 mod facets_nearest;
+mod few;
 mod hidden_surfaces;
 mod image;
 mod intersect;

@@ -45,6 +45,16 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        // SAFETY: as above; the eight numbers are read where they stand, which need not be aligned.
+        unsafe {
+            let numbers = _mm256_loadu_si256(list.as_ptr().cast());
+            let same = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(value as i32));
+            _mm256_movemask_ps(_mm256_castsi256_ps(same)) as u8
+        }
+    }
+
+    #[inline(always)]
     fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
         // SAFETY: these types exist only where AVX2 is (the module's text).
         unsafe {

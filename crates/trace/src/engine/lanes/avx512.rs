@@ -42,6 +42,12 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        // SAFETY: as above; the eight numbers are read where they stand, which need not be aligned.
+        unsafe { _mm256_cmpeq_epi32_mask(_mm256_loadu_si256(list.as_ptr().cast()), _mm256_set1_epi32(value as i32)) }
+    }
+
+    #[inline(always)]
     fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
         // SAFETY: these types exist only where AVX-512 is (the module's text).
         unsafe {

@@ -42,6 +42,9 @@ pub(crate) trait Lanes: Copy + Send + Sync + 'static {
     /// Each lane rounded to the nearest f32, ties to even; what is too large becomes infinite.
     fn narrow(value: Self::Real) -> Self::Single;
 
+    /// The lanes of a list of numbers that hold `value`: lane `i` in bit `i`.
+    fn equal(list: &[u32; 8], value: u32) -> u8;
+
     /// The lanes that are not negative, greatest first, and with them what belongs to them; what stands after those has
     /// no meaning. The last three bits of each are cleared. There is neither NaN nor -0 among them.
     fn greatest_first(keys: Self::Single, of: &[u32; 8]) -> ([f32; 8], [u32; 8]);

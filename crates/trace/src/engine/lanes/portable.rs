@@ -32,6 +32,15 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        let mut bits = 0;
+        for lane in 0..8 {
+            bits |= u8::from(list[lane] == value) << lane;
+        }
+        bits
+    }
+
+    #[inline(always)]
     fn greatest_first(keys: Eight<f32>, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
         let (mut sorted, mut order, mut count) = ([0.0; 8], [0; 8], 0);
         for lane in 0..8 {
