@@ -391,13 +391,11 @@ fn greatest<L: Lanes>(a: &[L::Single; 3]) -> L::Single {
 mod tests {
     use super::*;
     use crate::bvh::{Beam, Bvh, Triangles};
-    use crate::engine::lanes::{Portable, Real};
+    use crate::engine::lanes::Portable;
     use crate::engine::vector::Vector;
     use crate::reference::intersect::intersect_facet;
     use glam::DVec3;
     use proptest::prelude::*;
-
-    type Single = <Portable as Lanes>::Single;
 
     fn point(size: f64) -> impl Strategy<Value = DVec3> {
         prop::array::uniform3(-size..size).prop_map(DVec3::from)
@@ -435,7 +433,7 @@ mod tests {
             let rays = (Vector::splat(origin), Vector::splat(direction));
             beam.push(rays.0, rays, 0xff, f32::INFINITY);
             let (rays, extent) = (&beam.packets[0], bvh.extent());
-            let most = Single::splat(f32::INFINITY);
+            let most = <Portable as Lanes>::Single::splat(f32::INFINITY);
             let eye = Eye::of(rays, extent);
             let seen = Seen::of::<Portable>(&eye, &blocks);
             let within = seen.within::<Portable>(&Fan::of(rays)) >> lane & 1;

@@ -34,15 +34,19 @@ impl<B: Backend> Step<B> for OnFacets<'_, B> {
             let open = asked[place] & !blocked[place];
             send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
         }
-        let together = within.looking();
-        if together == 0 {
-            return;
+        let mut left = within.scattered();
+        for place in lanes(left) {
+            within.shorten(place, -1.0);
         }
-        let eye = Eye::of(&within.packets[together.trailing_zeros() as usize], facets.bvh().extent());
-        let (fans, patience) = ([None; PACKETS], PATIENCE * together.count_ones());
-        let mut leaves = FacetLeaves { facets, body, lamp, rays, blocked, eye, fans, patience, left: 0 };
-        within.traverse(&mut leaves);
-        let FacetLeaves { left, blocked, .. } = leaves;
+        let together = within.looking();
+        if together != 0 {
+            let eye = Eye::of(&within.packets[together.trailing_zeros() as usize], facets.bvh().extent());
+            let (fans, patience) = ([None; PACKETS], PATIENCE * together.count_ones());
+            let mut leaves =
+                FacetLeaves { facets, body, lamp, rays, blocked: &mut *blocked, eye, fans, patience, left };
+            within.traverse(&mut leaves);
+            left = leaves.left;
+        }
         if left != 0 {
             B::enter(BlockedAlone { facets, body, lamp, rays, asked, blocked, packets: left });
         }
@@ -62,11 +66,11 @@ struct FacetLeaves<'v, L: Lanes> {
     blocked: &'v mut [u8; PACKETS],
     /// The lamp, where all rays start for culling.
     eye: Eye,
-    /// The directions of each packet, once they are needed.
+    /// The directions of each packet, once they are needed; none loses rays on the way.
     fans: [Option<Fan>; PACKETS],
     /// How many more leaves all packets together may come to.
     patience: u32,
-    /// The packets that have come to no end by then.
+    /// The packets of which the rays go alone: they are scattered, or had come to no end by then.
     left: u8,
 }
 
