@@ -172,7 +172,7 @@ fn window(stage: Stage, plan: Plan) {
     println!("the window, ms: median (worst) of {edits} edits; then {drag} s of dragging, an edit a frame");
     println!("views   first complete        all finished   frames/s  worst frame");
     let viewport = egui::ViewportBuilder::default().with_inner_size([1920.0, 1080.0]).with_title("live");
-    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    let options = eframe::NativeOptions { viewport, dithering: false, ..eframe::NativeOptions::default() };
     let begin = move |creation: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let dialogs = Box::new(NoDialogs);
         let (settings, lang) = (Settings::default(), Some(Lang::English));
