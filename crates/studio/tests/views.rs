@@ -6,7 +6,8 @@ mod window;
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase, Vec2};
 use egui_kittest::kittest::Queryable;
 use lancer_document::Item;
-use lancer_scene::{DVec3, PointLight};
+use lancer_scene::generate::Family;
+use lancer_scene::{DVec3, PointLight, Stage};
 use lancer_words::Lang;
 use std::hash::{Hash, Hasher};
 use window::{Window, stage};
@@ -47,6 +48,21 @@ fn a_click_selects_and_one_edit_repaints_both_views() {
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(bytes(&window, "front"), front);
     assert_eq!(bytes(&window, "high"), high);
+}
+
+/// A click on a scene that takes long to compile is answered as soon as it is.
+#[test]
+fn the_first_click_is_not_lost() {
+    let (scene, view) = Family::Field.generate(400).unwrap();
+    let (name, view, views) = (scene.objects[0].name.clone(), view.name.to_string(), std::iter::once(view).collect());
+    let stage = Stage { scene, views };
+    let mut window = Window::just_begun(stage);
+    let place = window.picture(&view).center() + Vec2::new(0.0, 40.0);
+    window.event(Event::PointerMoved(place));
+    window.button(place, PointerButton::Primary, true, Modifiers::NONE);
+    window.button(place, PointerButton::Primary, false, Modifiers::NONE);
+    window
+        .until("the selection", |studio| studio.document().selection().primary() == Some(&Item::Object(name.clone())));
 }
 
 #[test]
