@@ -10,14 +10,21 @@ pub(crate) const BLOCK: usize = 64;
 pub(crate) fn in_blocks(width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {
     let blocks = (0..height.div_ceil(8)).flat_map(move |row| (0..width.div_ceil(8)).map(move |column| (column, row)));
     blocks
-        .flat_map(|(column, row)| {
-            (0..BLOCK as u32).map(move |number| {
-                let (lane, packet) = (number % 8, number / 8);
-                (8 * column + packet % 2 * 4 + lane % 4, 8 * row + packet / 2 * 2 + lane / 4)
-            })
-        })
+        .flat_map(|(column, row)| ORDER.iter().map(move |&(x, y)| (8 * column + x, 8 * row + y)))
         .filter(move |&(x, y)| x < width && y < height)
 }
+
+/// The order of the pixels of one block.
+const ORDER: [(u32, u32); BLOCK] = {
+    let mut order = [(0, 0); BLOCK];
+    let mut number = 0;
+    while number < BLOCK as u32 {
+        let (lane, packet) = (number % 8, number / 8);
+        order[number as usize] = (packet % 2 * 4 + lane % 4, packet / 2 * 2 + lane / 4);
+        number += 1;
+    }
+    order
+};
 
 #[cfg(test)]
 mod tests {

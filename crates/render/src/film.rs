@@ -28,20 +28,11 @@ impl Film {
 
     /// Puts the pixels of a tile at their places; those outside of the region are left out.
     pub(crate) fn place(&mut self, done: &Done) {
-        let Region { x: left, y: top, width, .. } = self.region;
-        let inside = |&(x, y): &(u32, u32)| self.region.contains(x, y);
-        let Some(last) = done.pixels.iter().filter(|pixel| inside(pixel)).map(|pixel| pixel.1).max() else { return };
-        let end = (last - top + 1) as usize * width as usize;
-        let place = |(x, y): (u32, u32)| (y - top) as usize * width as usize + (x - left) as usize;
-        grow(&mut self.bytes, end);
-        for (&pixel, &bytes) in done.pixels.iter().zip(&done.bytes).filter(|(pixel, _)| inside(pixel)) {
-            self.bytes[place(pixel)] = bytes;
-        }
+        put(&mut self.bytes, self.region, done.pixels.iter().zip(&done.bytes), |&bytes| bytes);
         if let Some(linear) = &mut self.linear {
-            grow(linear, end);
-            for (&pixel, color) in done.pixels.iter().zip(&done.colors).filter(|(pixel, _)| inside(pixel)) {
-                linear[place(pixel)] = color.to_array().map(|channel| channel as f32);
-            }
+            put(linear, self.region, done.pixels.iter().zip(&done.colors), |color| {
+                color.to_array().map(|channel| channel as f32)
+            });
         }
     }
 
@@ -64,10 +55,23 @@ pub(crate) fn reserve<T>(region: Region) -> Result<Vec<T>, RenderError> {
     Ok(items)
 }
 
-/// Black down to `end`, within the room that was reserved.
-fn grow<T: Copy + Default>(items: &mut Vec<T>, end: usize) {
-    if items.len() < end {
-        items.resize(end, T::default());
+/// Puts the pixels that lie in a region at their places among its items, which are black as far down as they go.
+fn put<'d, T: Copy + Default, C: 'd>(
+    items: &mut Vec<T>,
+    region: Region,
+    pixels: impl Iterator<Item = (&'d (u32, u32), &'d C)>,
+    item: impl Fn(&C) -> T,
+) {
+    let Region { x: left, y: top, width, .. } = region;
+    for (&(x, y), color) in pixels {
+        if region.contains(x, y) {
+            let row = (y - top) as usize * width as usize;
+            if items.len() <= row {
+                // within the room that was reserved
+                items.resize(row + width as usize, T::default());
+            }
+            items[row + (x - left) as usize] = item(color);
+        }
     }
 }
 

@@ -121,7 +121,8 @@ impl<W: Borrow<World> + Clone> PixelTracer<W> {
         mut take: impl FnMut((u32, u32), Result<Color, TraceError>),
     ) -> Option<()> {
         let mut take = |pixels: &[(u32, u32)], colors: &[Result<Color, TraceError>]| {
-            let finished = !colors.contains(&Err(TraceError::Cancelled));
+            // what is cancelled stays so
+            let finished = colors.last() != Some(&Err(TraceError::Cancelled));
             finished.then(|| pixels.iter().zip(colors).for_each(|(&pixel, &color)| take(pixel, color)))
         };
         let wanted = |pixels: &[(u32, u32)]| (!self.cancel.is_cancelled()).then(|| wanted(pixels));

@@ -137,6 +137,9 @@ impl<'a, Wanted: Fn(u32, u32) -> bool + Sync> Work<'a, Wanted> {
         let (mut counts, mut colors) = (RayCounts::default(), Vec::with_capacity(pixels.len()));
         let mut failure = None::<Failure>;
         let wanted = |pixels: &[(u32, u32)]| {
+            if self.failed.load(Ordering::Relaxed) == u64::MAX {
+                return true;
+            }
             let first = pixels.iter().map(|&pixel| self.number(pixel)).min();
             first.is_some_and(|first| !self.is_beyond(first))
         };

@@ -183,12 +183,6 @@ impl<'b, L: Lanes> Beam<'b, L> {
         self.limits[packet] = limit;
     }
 
-    /// How far a packet still looks.
-    #[inline(always)]
-    pub(crate) fn limit(&self, packet: usize) -> f32 {
-        self.limits[packet]
-    }
-
     /// Shows every leaf that some ray reaches before its limit, roughly from near to far.
     #[inline(always)]
     pub(crate) fn traverse(&mut self, visitor: &mut impl Visit<L>) {

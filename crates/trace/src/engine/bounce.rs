@@ -3,11 +3,13 @@
 use super::dispatch::{Backend, Step};
 use super::lanes::{Mask, Real};
 use super::light::select;
-use super::packet::{Block, Colors, Packet, PerPacket};
+use super::packet::{Block, Colors, PACKETS, Packet, PerPacket};
 use super::path::{Groups, Path, Trace};
 use super::surface_point::Points;
-use super::vector::{Vector, lanes, mask};
+use super::vector::{Vector, mask, put_value};
 use crate::RayKind;
+use arrayvec::ArrayVec;
+use lancer_scene::Rgb;
 
 /// A way that refracted light goes from the points of a packet: each lane has its indices and channels.
 #[derive(Clone, Copy)]
@@ -49,10 +51,10 @@ impl Path<'_> {
     pub(super) fn secondary<B: Backend>(
         &mut self,
         block: &Block<B>,
-        points: &PerPacket<Points<B>>,
+        points: &[Points<B>],
         groups: &PerPacket<Groups>,
-        mirrored: &mut PerPacket<Colors<B>>,
-        refracted: &mut PerPacket<Colors<B>>,
+        mirrored: &mut [Colors<B>; PACKETS],
+        refracted: &mut [Colors<B>; PACKETS],
     ) {
         let steps = self.settings.steps;
         if block.level >= self.settings.depth || !(steps.reflection || steps.transparency) {
@@ -88,14 +90,11 @@ impl Path<'_> {
         let open = !self.spent[packet.place];
         for &(surface, group) in groups {
             let surface = self.world.surface(surface);
-            for channel in 0..3 {
-                let carried = group & packet.channels[channel] & open;
-                if steps.reflection && surface.kr[channel] > 0.0 {
-                    mirrored[channel] |= carried;
-                }
-                if steps.transparency && surface.kt[channel] > 0.0 {
-                    glass[channel] |= carried;
-                }
+            if steps.reflection && surface.is_mirror() {
+                carry(&mut mirrored, packet, group & open, surface.kr);
+            }
+            if steps.transparency && surface.is_transparent() {
+                carry(&mut glass, packet, group & open, surface.kt);
             }
         }
         let mut leaving = Leaving { mirrored, total: [0; 3] };
@@ -119,41 +118,48 @@ impl Path<'_> {
     /// Where the refracted channels go: those with equal `n/n'` share a way. Light goes straight on through sheets.
     #[inline(always)]
     fn find_ways<B: Backend>(&mut self, packet: &Packet<B>, at: &Points<B>, channels: [u8; 3], found: &mut Passing) {
-        // lanes side by side mostly do the same
-        let mut last = None;
-        for lane in lanes(any(&channels)) {
-            let (media, body) = (packet.media[lane], at.body[lane]);
-            let (enters, leaves) = (at.enters >> lane & 1 == 1, at.leaves >> lane & 1 == 1);
-            let crossing = (media, body, at.surface[lane], enters, leaves);
-            let beyond = match last {
-                Some((known, beyond)) if known == crossing => beyond,
-                Some(_) | None if enters => {
-                    let index = self.world.surface(at.surface[lane]).index;
-                    self.stacks.entered(media, body, index)
-                }
-                Some(_) | None if leaves => self.stacks.left(media, body),
-                Some(_) | None => media,
+        let mut left = any(&channels);
+        while left != 0 {
+            let first = left.trailing_zeros() as usize;
+            // the lanes that cross the same surface from the same media with the same channels do the same
+            let (media, body, surface) = (packet.media[first], at.body[first], at.surface[first]);
+            let mut group = B::equal(&packet.media, media) & B::equal(&at.body, body);
+            group &= B::equal(&at.surface, surface) & left;
+            for bits in [at.enters, at.leaves, channels[0], channels[1], channels[2]] {
+                group &= if bits >> first & 1 == 1 { bits } else { !bits };
+            }
+            left &= !group;
+            let (enters, leaves) = (at.enters >> first & 1 == 1, at.leaves >> first & 1 == 1);
+            let beyond = if enters {
+                self.stacks.entered(media, body, self.world.surface(surface).index)
+            } else if leaves {
+                self.stacks.left(media, body)
+            } else {
+                media
             };
-            last = Some((crossing, beyond));
-            found.beyond[lane] = beyond;
+            put_value(&mut found.beyond, group, beyond);
             let (n, n_prime) = (self.stacks.index(media), self.stacks.index(beyond));
-            let mut ways = 0;
+            let sheet = !(enters || leaves);
+            // the channels that begin a way
+            let mut ways: ArrayVec<usize, WAYS> = ArrayVec::new();
             for channel in 0..3 {
-                if channels[channel] >> lane & 1 == 0 {
+                if channels[channel] & group == 0 {
                     continue;
                 }
-                let (n, n_prime) = (n[channel], n_prime[channel]);
-                let sheet = !(enters || leaves);
-                let shared = (0..ways).find(|&way| {
-                    let way = &found.ways[way];
-                    sheet || way.n[lane] / way.n_prime[lane] == n / n_prime
-                });
-                let way = shared.unwrap_or_else(|| {
-                    (found.ways[ways].n[lane], found.ways[ways].n_prime[lane]) = (n, n_prime);
-                    ways += 1;
-                    ways - 1
-                });
-                found.ways[way].channels[channel] |= 1 << lane;
+                let mut way = 0;
+                while way < ways.len() && !sheet {
+                    let begun = ways[way];
+                    if n[begun] / n_prime[begun] == n[channel] / n_prime[channel] {
+                        break;
+                    }
+                    way += 1;
+                }
+                if way == ways.len() {
+                    ways.push(channel);
+                    put_value(&mut found.ways[way].n, group, n[channel]);
+                    put_value(&mut found.ways[way].n_prime, group, n_prime[channel]);
+                }
+                found.ways[way].channels[channel] |= group;
             }
         }
     }
@@ -163,10 +169,10 @@ impl Path<'_> {
 struct Reflect<'s, 'p, B: Backend> {
     path: &'s mut Path<'p>,
     block: &'s Block<B>,
-    points: &'s PerPacket<Points<B>>,
+    points: &'s [Points<B>],
     leaving: &'s PerPacket<Leaving>,
-    mirrored: &'s mut PerPacket<Colors<B>>,
-    refracted: &'s mut PerPacket<Colors<B>>,
+    mirrored: &'s mut [Colors<B>; PACKETS],
+    refracted: &'s mut [Colors<B>; PACKETS],
 }
 
 impl<B: Backend> Step<B> for Reflect<'_, '_, B> {
@@ -180,7 +186,8 @@ impl<B: Backend> Step<B> for Reflect<'_, '_, B> {
                 onward.push(place, at, packet, mirrored_direction(packet, at), either, packet.media);
             }
         }
-        let seen = onward.cast(self.path);
+        let mut seen = [[B::Real::splat(0.0); 3]; PACKETS];
+        onward.cast(self.path, &mut seen);
         for (&place, seen) in onward.from.iter().zip(&seen) {
             let Leaving { mirrored, total, .. } = &self.leaving[place];
             self.mirrored[place] = taken::<B>(mirrored, seen, &self.mirrored[place]);
@@ -193,10 +200,10 @@ impl<B: Backend> Step<B> for Reflect<'_, '_, B> {
 struct Refract<'s, 'p, B: Backend> {
     path: &'s mut Path<'p>,
     block: &'s Block<B>,
-    points: &'s PerPacket<Points<B>>,
+    points: &'s [Points<B>],
     passing: &'s PerPacket<Passing>,
     way: usize,
-    refracted: &'s mut PerPacket<Colors<B>>,
+    refracted: &'s mut [Colors<B>; PACKETS],
 }
 
 impl<B: Backend> Step<B> for Refract<'_, '_, B> {
@@ -211,7 +218,8 @@ impl<B: Backend> Step<B> for Refract<'_, '_, B> {
                 onward.push(passing.place, at, packet, direction, way.channels, passing.beyond);
             }
         }
-        let seen = onward.cast(self.path);
+        let mut seen = [[B::Real::splat(0.0); 3]; PACKETS];
+        onward.cast(self.path, &mut seen);
         for ((&place, seen), packet) in onward.from.iter().zip(&seen).zip(&onward.block.packets) {
             self.refracted[place] = taken::<B>(&packet.channels, seen, &self.refracted[place]);
         }
@@ -254,10 +262,17 @@ impl<B: Backend> Onward<B> {
 
     /// What the rays see.
     #[inline(always)]
-    fn cast(&mut self, path: &mut Path<'_>) -> PerPacket<Colors<B>> {
-        let mut seen = PerPacket::new();
-        B::enter(Trace { path, block: &mut self.block, colors: &mut seen });
-        seen
+    fn cast(&mut self, path: &mut Path<'_>, seen: &mut [Colors<B>; PACKETS]) {
+        B::enter(Trace { path, block: &mut self.block, colors: seen });
+    }
+}
+
+/// Adds the lanes whose rays carry a channel to those channels in which the coefficient is not 0.
+#[inline(always)]
+fn carry<B: Backend>(channels: &mut [u8; 3], packet: &Packet<B>, lanes: u8, coefficient: Rgb) {
+    for channel in 0..3 {
+        let counts = if coefficient[channel] > 0.0 { lanes } else { 0 };
+        channels[channel] |= packet.channels[channel] & counts;
     }
 }
 

@@ -108,21 +108,22 @@ impl<B: Backend> Step<B> for Ask<'_> {
     #[inline(always)]
     fn run(self) {
         let mut rays: PerPacket<ToLamp<B>> = PerPacket::new();
-        for (place, points) in self.points.chunks(8).enumerate() {
+        for points in self.points.chunks(8) {
             let mut origins = [[0.0; 8]; 3];
             for (lane, point) in points.iter().enumerate() {
                 for axis in 0..3 {
                     origins[axis][lane] = point[axis];
                 }
             }
-            let mut packet = packet::<B>(place, &origins, &origins, points.len());
-            let segment = Vector::splat(self.lamp) - packet.origin;
-            let distance = segment.length();
-            packet.direction = segment.divided(distance);
-            packet.mask &= distance.gt(B::Real::splat(0.0)).bits();
-            rays.push(ToLamp { packet, distance });
+            let mut ray = ToLamp::<B>::none();
+            ray.start_at(self.world, Vector::load(&origins), &[NOTHING; 8]);
+            let segment = Vector::splat(self.lamp) - ray.packet.origin;
+            ray.distance = segment.length();
+            ray.packet.direction = segment.divided(ray.distance);
+            ray.packet.mask = (0xff >> (8 - points.len())) & ray.distance.gt(B::Real::splat(0.0)).bits();
+            rays.push(ray);
         }
-        let mut bits: PerPacket<u8> = PerPacket::new();
+        let mut bits = [0; PACKETS];
         B::enter(Blocked { world: self.world, lamp: self.lamp, rays: &rays, blocked: &mut bits });
         for (bits, blocked) in bits.iter().zip(self.blocked.chunks_mut(8)) {
             blocked.iter_mut().enumerate().for_each(|(lane, blocked)| *blocked = bits >> lane & 1 == 1);

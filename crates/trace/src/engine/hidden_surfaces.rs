@@ -1,10 +1,11 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
 use super::dispatch::{Backend, Step};
+use super::few::{Aimed, Start};
 use super::intersect::{SeenFacets, facet, may_meet, plane, slack, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
-use super::vector::{Vector, equal, lanes, mask};
+use super::vector::{Vector, lanes, mask};
 use crate::bvh::{Beam, Block as Facets4, LeafBox, Visit};
 use crate::precision::lies_in_plane;
 use crate::reference::intersect::intersect_facet;
@@ -58,6 +59,19 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
             }
         }
     }
+    if let Some(few) = world.few() {
+        let mut aimed = Aimed::NONE;
+        for (place, (packet, hits)) in block.packets.iter().zip(hits.iter()).enumerate() {
+            if packet.mask != 0 {
+                let start = Start::at(few, packet.origin);
+                aimed.aim::<L>((few, few.all()), place, (&start, packet.direction), hits.t, packet.mask);
+            }
+        }
+        for (&body, rays) in few.numbers().iter().zip(&aimed.lanes) {
+            try_body(world, eye_lies_on, block, hits, body, rays);
+        }
+        return;
+    }
     let (bvh, bodies) = world.bounded();
     let mut beam = Beam::new(bvh, bvh.margin());
     for (packet, hits) in block.packets.iter().zip(hits.iter()) {
@@ -66,15 +80,45 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
     beam.traverse(&mut Bodies { world, bodies, eye_lies_on, block, hits });
 }
 
+/// Tries a body with some rays of each packet.
+#[inline(always)]
+fn try_body<L: Backend>(
+    world: &World,
+    eye_lies_on: &[u32],
+    block: &Block<L>,
+    hits: &mut PerPacket<Hits<L>>,
+    number: u32,
+    rays: &[u8; PACKETS],
+) {
+    match &world.body(number).geometry {
+        Geometry::Sphere { center, radius } => {
+            for (place, packet) in block.packets.iter().enumerate() {
+                if rays[place] != 0 {
+                    let here = packet.starts_on(number, eye_lies_on);
+                    let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
+                    hits[place].take(met & rays[place], t, None, number, 0);
+                }
+            }
+        }
+        Geometry::Facets(facets) => {
+            if *rays != [0; PACKETS] {
+                L::enter(OnFacets { facets, body: number, block, hits, rays });
+            }
+        }
+        // planes have no bounds
+        Geometry::Plane { .. } => {}
+    }
+}
+
 impl<L: Lanes> Packet<L> {
     /// The lanes whose rays start on a body.
     #[inline(always)]
     pub(super) fn starts_on(&self, body: u32, eye_lies_on: &[u32]) -> u8 {
-        let here = equal(&self.start, body);
+        let here = L::equal(&self.start, body);
         if eye_lies_on.is_empty() || eye_lies_on.binary_search(&body).is_err() {
             here
         } else {
-            here | equal(&self.start, NOTHING)
+            here | L::equal(&self.start, NOTHING)
         }
     }
 }
@@ -128,54 +172,39 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
 
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
+        let mut rays = [0; PACKETS];
+        for place in lanes(packets) {
+            rays[place] = beam.packets[place].mask;
+        }
         for &number in &self.bodies[first as usize..(first + count) as usize] {
-            match &self.world.body(number).geometry {
-                Geometry::Sphere { center, radius } => {
-                    for place in lanes(packets) {
-                        let packet = &self.block.packets[place];
-                        let here = packet.starts_on(number, self.eye_lies_on);
-                        let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
-                        let mask = beam.packets[place].mask;
-                        if met & mask != 0 {
-                            self.hits[place].take(met & mask, t, None, number, 0);
-                            beam.shorten(place, self.hits[place].farthest(mask));
-                        }
-                    }
-                }
-                Geometry::Facets(facets) => {
-                    L::enter(OnFacets { facets, body: number, block: self.block, hits: self.hits, beam, packets });
-                }
-                // planes have no bounds
-                Geometry::Plane { .. } => {}
-            }
+            try_body(self.world, self.eye_lies_on, self.block, self.hits, number, &rays);
+        }
+        for place in lanes(packets) {
+            beam.shorten(place, self.hits[place].farthest(rays[place]));
         }
     }
 }
 
-/// Tries a set of facets with some packets of a beam.
-struct OnFacets<'s, 'b, B: Backend> {
+/// Tries a set of facets with some rays of each packet.
+struct OnFacets<'s, B: Backend> {
     facets: &'s Facets,
     body: u32,
     block: &'s Block<B>,
     hits: &'s mut PerPacket<Hits<B>>,
-    beam: &'s mut Beam<'b, B>,
-    packets: u8,
+    rays: &'s [u8; PACKETS],
 }
 
-impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
+impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let OnFacets { facets, body, block, hits, beam, packets } = self;
+        let OnFacets { facets, body, block, hits, rays } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
         for (place, packet) in block.packets.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask } else { 0 };
-            send(&mut within, facets, (packet.origin, packet.direction), mask, beam.limit(place));
+            let mask = rays[place];
+            let limit = if mask == 0 { -1.0 } else { hits[place].farthest(mask) };
+            send(&mut within, facets, (packet.origin, packet.direction), mask, limit);
         }
         within.traverse(&mut FacetLeaves { facets, body, block, hits });
-        for place in lanes(packets) {
-            // not the limit within: rays that went one by one have left it at the last one's
-            beam.shorten(place, hits[place].farthest(beam.packets[place].mask));
-        }
     }
 }
 
@@ -343,13 +372,13 @@ fn scalar<L: Lanes>(coordinates: &[L::Single; 3], lane: usize) -> [f32; 3] {
 pub(super) fn not_started_on<L: Lanes>(packet: &Packet<L>, met: u8, [p0, p1, p2]: [DVec3; 3], body: u32) -> u8 {
     let starts_in_plane = |lane| lies_in_plane(packet.origin.lane(lane), p0, p1, p2);
     let mut kept = met;
-    for lane in lanes(met & equal(&packet.start, body)) {
+    for lane in lanes(met & L::equal(&packet.start, body)) {
         if starts_in_plane(lane) {
             kept &= !(1 << lane);
         }
     }
     // primary rays all start at the eye
-    let primary = met & equal(&packet.start, NOTHING);
+    let primary = met & L::equal(&packet.start, NOTHING);
     if primary != 0 && starts_in_plane(primary.trailing_zeros() as usize) {
         kept &= !primary;
     }

@@ -135,7 +135,7 @@ impl Image<'_> {
         // the pixels that are not numbers
         let mut not_finite = [0_u8; PACKETS];
         let samples = self.camera.samples();
-        let mut seen: PerPacket<Colors<B>> = PerPacket::new();
+        let mut seen = [[zero; 3]; PACKETS];
         for sample in 0..samples * samples {
             let mut block = Block::new(RayKind::Primary, 0, true);
             for (place, pixels) in pixels.chunks(8).enumerate() {
@@ -143,7 +143,7 @@ impl Image<'_> {
                 block.packets.push(self.primary::<B>(pixels, sample, place, wanted, path.stacks.primary()));
             }
             B::enter(Trace { path, block: &mut block, colors: &mut seen });
-            for (place, seen) in seen.iter().enumerate() {
+            for (place, seen) in seen.iter().enumerate().take(packets) {
                 let infinite = B::Real::splat(f64::INFINITY);
                 let finite = seen[0].abs().lt(infinite) & seen[1].abs().lt(infinite) & seen[2].abs().lt(infinite);
                 not_finite[place] |= !finite.bits() & block.packets[place].mask & !path.spent[place];
@@ -177,10 +177,11 @@ impl Image<'_> {
         let k = self.camera.samples();
         let (row, column) = (sample / k, sample % k);
         let offset = |number: u32| (f64::from(number) + 0.5) / f64::from(k);
+        let offset = (offset(column), offset(row));
         let (mut x, mut y) = ([0.5; 8], [0.5; 8]);
         for (lane, &(i, j)) in pixels.iter().enumerate() {
-            x[lane] = f64::from(i) + offset(column);
-            y[lane] = f64::from(j) + offset(row);
+            x[lane] = f64::from(i) + offset.0;
+            y[lane] = f64::from(j) + offset.1;
         }
         let x = B::Real::load(&x) / B::Real::splat(f64::from(self.camera.width()));
         let y = B::Real::load(&y) / B::Real::splat(f64::from(self.camera.height()));

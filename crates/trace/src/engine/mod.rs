@@ -12,6 +12,7 @@
 mod bounce;
 mod caster;
 mod dispatch;
+mod few;
 mod hidden_surfaces;
 mod image;
 mod intersect;

@@ -4,6 +4,7 @@ use super::lanes::Lanes;
 use super::vector::Vector;
 use crate::RayKind;
 use arrayvec::ArrayVec;
+use glam::DVec3;
 
 /// How many packets a block has at most.
 pub(crate) const PACKETS: usize = 8;
@@ -31,6 +32,16 @@ pub(crate) struct Packet<L: Lanes> {
     pub(crate) start: [u32; 8],
     /// The stack of media that each ray carries: a number of [`super::media::Stacks`].
     pub(crate) media: [u32; 8],
+}
+
+impl<L: Lanes> Packet<L> {
+    /// No rays.
+    #[inline(always)]
+    pub(crate) fn none() -> Packet<L> {
+        let zero = Vector::splat(DVec3::ZERO);
+        let (start, media) = ([NOTHING; 8], [0; 8]);
+        Packet { origin: zero, direction: zero, mask: 0, channels: [0; 3], place: 0, start, media }
+    }
 }
 
 /// Rays of one kind and level.

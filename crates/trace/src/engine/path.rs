@@ -5,10 +5,10 @@ use super::hidden_surfaces::Nearest;
 use super::lanes::{Mask, Real};
 use super::light::{add, add_lamp, clamp01, select, splat};
 use super::media::Stacks;
-use super::packet::{Block, Colors, Hits, PACKETS, Packet, PerPacket};
+use super::packet::{Block, Colors, Hits, PACKETS, PerPacket};
 use super::shadows::{Blocked, ToLamp};
 use super::surface_point::Points;
-use super::vector::{Vector, equal, mask};
+use super::vector::{Vector, mask};
 use crate::{Cancel, RayCounts, RayKind, Settings, World};
 use arrayvec::ArrayVec;
 use lancer_scene::Rgb;
@@ -63,9 +63,8 @@ impl Path<'_> {
 
     /// The colours that the rays of a block see, in their channels.
     #[inline(always)]
-    pub(super) fn colors<B: Backend>(&mut self, block: &mut Block<B>, colors: &mut PerPacket<Colors<B>>) {
+    pub(super) fn colors<B: Backend>(&mut self, block: &mut Block<B>, colors: &mut [Colors<B>; PACKETS]) {
         let world = self.world;
-        colors.clear();
         self.poll();
         let mut cast = 0;
         for packet in &mut block.packets {
@@ -77,28 +76,26 @@ impl Path<'_> {
             RayKind::Reflected => self.counts.reflected += cast,
             RayKind::Refracted => self.counts.refracted += cast,
         }
-        let mut points: PerPacket<Points<B>> = PerPacket::new();
-        B::enter(See { world, eye_lies_on: self.eye_lies_on, block, points: &mut points });
+        let mut points = [Points::<B>::none(); PACKETS];
+        let points = &mut points[..block.packets.len()];
+        B::enter(See { world, eye_lies_on: self.eye_lies_on, block, points: &mut *points });
+        let points = &*points;
         if block.level == 0 {
             self.counts.primary_hits += points.iter().map(|points| u64::from(points.mask.count_ones())).sum::<u64>();
         }
         let mut groups: PerPacket<Groups> = PerPacket::new();
-        for points in &points {
+        for points in points {
             groups.push(grouped(points));
         }
 
         let mark = self.stacks.mark();
         let zero = [B::Real::splat(0.0); 3];
-        let mut mirrored: PerPacket<Colors<B>> = PerPacket::new();
-        for _ in &points {
-            mirrored.push(zero);
-        }
-        let mut refracted = mirrored.clone();
-        self.secondary(block, &points, &groups, &mut mirrored, &mut refracted);
+        let (mut mirrored, mut refracted) = ([zero; PACKETS], [zero; PACKETS]);
+        self.secondary(block, points, &groups, &mut mirrored, &mut refracted);
         self.stacks.forget(mark);
 
         let environment = world.environment();
-        let mut sums: PerPacket<Colors<B>> = PerPacket::new();
+        let mut sums = [zero; PACKETS];
         for (place, points) in points.iter().enumerate() {
             let mut sum = zero;
             for &(surface, group) in &groups[place] {
@@ -113,14 +110,14 @@ impl Path<'_> {
                 }
                 sum = if group == points.mask { own } else { select::<B>(mask::<B::Real>(group), &own, &sum) };
             }
-            sums.push(sum);
+            sums[place] = sum;
         }
         if !world.lamps().is_empty() {
-            B::enter(Lamps { path: self, block, points: &points, groups: &groups, sums: &mut sums });
+            B::enter(Lamps { path: self, block, points, groups: &groups, sums: &mut sums });
         }
 
         let background = splat::<B>(environment.background);
-        for ((packet, points), sum) in block.packets.iter().zip(&points).zip(&sums) {
+        for (((packet, points), sum), seen_color) in block.packets.iter().zip(points).zip(&sums).zip(colors) {
             let seen = [clamp01(sum[0]), clamp01(sum[1]), clamp01(sum[2])];
             let mut color = select::<B>(mask::<B::Real>(points.mask), &seen, &background);
             for channel in 0..3 {
@@ -129,7 +126,7 @@ impl Path<'_> {
                     color[channel] = B::Real::select(mask::<B::Real>(carried), color[channel], zero[channel]);
                 }
             }
-            colors.push(color);
+            *seen_color = color;
         }
     }
 
@@ -138,49 +135,59 @@ impl Path<'_> {
     fn lamps<B: Backend>(
         &mut self,
         block: &Block<B>,
-        points: &PerPacket<Points<B>>,
+        points: &[Points<B>],
         groups: &PerPacket<Groups>,
-        sums: &mut PerPacket<Colors<B>>,
+        sums: &mut [Colors<B>; PACKETS],
     ) {
         let world = self.world;
         let compose = world.environment().compose;
         let zero = B::Real::splat(0.0);
+        // in place, and what all lamps have in common once: packets are large
+        let mut rays = [ToLamp::<B>::none(); PACKETS];
+        let rays = &mut rays[..points.len()];
+        for (ray, at) in rays.iter_mut().zip(points) {
+            if at.mask != 0 {
+                ray.start_at(world, at.point, &at.body);
+            }
+        }
         for lamp in world.lamps() {
             let position = Vector::splat(lamp.position);
             let farthest = B::Real::splat(lamp.position.abs().max_element());
-            let mut rays: PerPacket<ToLamp<B>> = PerPacket::new();
-            // where in the block each of the rays' packets is
-            let mut places: PerPacket<usize> = PerPacket::new();
-            for (place, (packet, at)) in block.packets.iter().zip(points).enumerate() {
+            let mut any = 0;
+            for ((packet, at), ray) in block.packets.iter().zip(points).zip(rays.iter_mut()) {
+                ray.packet.mask = 0;
                 if at.mask == 0 {
                     continue;
                 }
                 let segment = position - at.point;
-                let distance = segment.length();
-                let to_lamp = segment.divided(distance);
                 // a lamp in the surface's own plane is not in front of it, however N·L rounds
                 let roundings = B::Real::splat(16.0 * f64::EPSILON) * farthest.max(at.point.greatest());
-                let in_front = at.geometric.dot(segment).gt(roundings) & at.normal.dot(to_lamp).gt(zero);
-                let mut lit = in_front.bits() & !distance.eq(zero).bits() & at.mask & !self.spent[packet.place];
+                let in_front = at.geometric.dot(segment).gt(roundings).bits() & at.mask & !self.spent[packet.place];
+                if in_front == 0 {
+                    continue;
+                }
+                let distance = segment.length();
+                let to_lamp = segment.divided(distance);
+                let mut lit = in_front & at.normal.dot(to_lamp).gt(zero).bits() & !distance.eq(zero).bits();
                 if self.settings.steps.shadows {
                     lit = self.spend::<B>(packet.place, lit);
                     self.counts.shadow += u64::from(lit.count_ones());
                 }
-                if lit != 0 {
-                    let (origin, direction, start) = (at.point, to_lamp, at.body);
-                    rays.push(ToLamp { packet: Packet { origin, direction, mask: lit, start, ..*packet }, distance });
-                    places.push(place);
-                }
+                (ray.packet.direction, ray.packet.mask, ray.distance) = (to_lamp, lit, distance);
+                any |= lit;
             }
-            if rays.is_empty() {
+            if any == 0 {
                 continue;
             }
-            let mut blocked: PerPacket<u8> = PerPacket::from([0; PACKETS]);
+            let mut blocked = [0; PACKETS];
             if self.settings.steps.shadows {
-                B::enter(Blocked { world, lamp: lamp.position, rays: &rays, blocked: &mut blocked });
+                B::enter(Blocked { world, lamp: lamp.position, rays: &*rays, blocked: &mut blocked });
             }
-            for ((ray, &place), blocked) in rays.iter().zip(&places).zip(&blocked) {
+            for (place, (ray, blocked)) in rays.iter().zip(&blocked).enumerate() {
                 let lit = ray.packet.mask & !blocked;
+                if lit == 0 {
+                    continue;
+                }
                 for &(surface, group) in &groups[place] {
                     if lit & group == 0 {
                         continue;
@@ -202,7 +209,7 @@ fn grouped<B: Backend>(points: &Points<B>) -> Groups {
     let mut left = points.mask;
     while left != 0 {
         let surface = points.surface[left.trailing_zeros() as usize];
-        let group = left & equal(&points.surface, surface);
+        let group = left & B::equal(&points.surface, surface);
         groups.push((surface, group));
         left &= !group;
     }
@@ -223,7 +230,7 @@ fn scaled<B: Backend>(coefficient: Rgb, color: &Colors<B>) -> Colors<B> {
 pub(super) struct Trace<'s, 'p, B: Backend> {
     pub(super) path: &'s mut Path<'p>,
     pub(super) block: &'s mut Block<B>,
-    pub(super) colors: &'s mut PerPacket<Colors<B>>,
+    pub(super) colors: &'s mut [Colors<B>; PACKETS],
 }
 
 impl<B: Backend> Step<B> for Trace<'_, '_, B> {
@@ -237,9 +244,9 @@ impl<B: Backend> Step<B> for Trace<'_, '_, B> {
 struct Lamps<'s, 'p, B: Backend> {
     path: &'s mut Path<'p>,
     block: &'s Block<B>,
-    points: &'s PerPacket<Points<B>>,
+    points: &'s [Points<B>],
     groups: &'s PerPacket<Groups>,
-    sums: &'s mut PerPacket<Colors<B>>,
+    sums: &'s mut [Colors<B>; PACKETS],
 }
 
 impl<B: Backend> Step<B> for Lamps<'_, '_, B> {
@@ -254,7 +261,7 @@ struct See<'s, B: Backend> {
     world: &'s World,
     eye_lies_on: &'s [u32],
     block: &'s Block<B>,
-    points: &'s mut PerPacket<Points<B>>,
+    points: &'s mut [Points<B>],
 }
 
 impl<B: Backend> Step<B> for See<'_, B> {
@@ -263,9 +270,9 @@ impl<B: Backend> Step<B> for See<'_, B> {
         let mut hits: PerPacket<Hits<B>> = PerPacket::new();
         let See { world, eye_lies_on, block, points } = self;
         B::enter(Nearest { world, eye_lies_on, block, hits: &mut hits });
-        for (packet, hits) in block.packets.iter().zip(&hits) {
+        for ((packet, hits), points) in block.packets.iter().zip(&hits).zip(points) {
             let met = hits.t.lt(B::Real::splat(f64::INFINITY)).bits() & packet.mask;
-            points.push(Points::of(world, packet, hits, met));
+            points.find(world, packet, hits, met);
         }
     }
 }

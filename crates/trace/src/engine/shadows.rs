@@ -4,10 +4,11 @@
 //! What is left is decided for the rays from the points, as the reference does.
 
 use super::dispatch::{Backend, Step};
+use super::few::{Aimed, Hull, Start};
 use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
 use super::intersect::{facet, plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
-use super::packet::{Packet, PerPacket};
+use super::packet::{PACKETS, Packet};
 use super::vector::{Vector, lanes};
 use crate::World;
 use crate::bvh::{Beam, LeafBox, Visit};
@@ -21,15 +22,35 @@ use std::ops::Range;
 pub(super) struct ToLamp<L: Lanes> {
     pub(super) packet: Packet<L>,
     pub(super) distance: L::Real,
+    /// The points in f32, in a world of few bodies.
+    start: Start<L>,
+}
+
+impl<L: Lanes> ToLamp<L> {
+    /// No rays.
+    #[inline(always)]
+    pub(super) fn none() -> ToLamp<L> {
+        ToLamp { packet: Packet::none(), distance: L::Real::splat(0.0), start: Start::none() }
+    }
+
+    /// Starts at points of bodies, to look for lamps from there.
+    #[inline(always)]
+    pub(super) fn start_at(&mut self, world: &World, points: Vector<L::Real>, bodies: &[u32; 8]) {
+        (self.packet.origin, self.packet.start) = (points, *bodies);
+        if let Some(few) = world.few() {
+            self.start = Start::at(few, points);
+        }
+    }
 }
 
 /// Finds the lanes of each packet whose rays meet a body before the lamp.
 pub(super) struct Blocked<'s, B: Backend> {
     pub(super) world: &'s World,
     pub(super) lamp: DVec3,
-    pub(super) rays: &'s PerPacket<ToLamp<B>>,
-    /// One for each packet.
-    pub(super) blocked: &'s mut PerPacket<u8>,
+    /// At most [`PACKETS`].
+    pub(super) rays: &'s [ToLamp<B>],
+    /// What is found.
+    pub(super) blocked: &'s mut [u8; PACKETS],
 }
 
 impl<B: Backend> Step<B> for Blocked<'_, B> {
@@ -40,11 +61,8 @@ impl<B: Backend> Step<B> for Blocked<'_, B> {
 }
 
 #[inline(always)]
-fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, blocked: &mut PerPacket<u8>) {
-    blocked.clear();
-    for _ in rays {
-        blocked.push(0);
-    }
+fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &[ToLamp<L>], blocked: &mut [u8; PACKETS]) {
+    *blocked = [0; PACKETS];
     for &number in world.unbounded() {
         if let Geometry::Plane { p0, p1, p2, .. } = &world.body(number).geometry {
             if lies_in_plane(lamp, *p0, *p1, *p2) {
@@ -52,6 +70,9 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, 
             }
             let normal = (p1 - p0).cross(p2 - p0);
             for (ray, blocked) in rays.iter().zip(blocked.iter_mut()) {
+                if ray.packet.mask & !*blocked == 0 {
+                    continue;
+                }
                 let tried = ray.packet.mask & !*blocked & !ray.packet.starts_on(number, &[]);
                 if tried != 0 {
                     let (met, t) = plane::<L>(ray.packet.origin, ray.packet.direction, *p0, normal);
@@ -59,6 +80,27 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, 
                 }
             }
         }
+    }
+    if let Some(few) = world.few() {
+        let mut hull = Hull::empty();
+        for (ray, blocked) in rays.iter().zip(blocked.iter()) {
+            hull.add(&ray.start, ray.packet.mask & !blocked);
+        }
+        let between = hull.between(few, lamp);
+        if between == 0 {
+            return;
+        }
+        let mut aimed = Aimed::NONE;
+        for (place, (ray, blocked)) in rays.iter().zip(blocked.iter()).enumerate() {
+            let open = ray.packet.mask & !blocked;
+            if open != 0 {
+                aimed.aim::<L>((few, between), place, (&ray.start, ray.packet.direction), ray.distance, open);
+            }
+        }
+        for (&body, asked) in few.numbers().iter().zip(&aimed.lanes) {
+            try_body(world, lamp, rays, blocked, body, asked);
+        }
+        return;
     }
     let (bvh, bodies) = world.bounded();
     let mut beam = Beam::new(bvh, bvh.margin());
@@ -68,6 +110,44 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &PerPacket<ToLamp<L>>, 
         beam.push(from_lamp.0, from_lamp, open, ray.farthest(open));
     }
     beam.traverse(&mut Bodies { world, bodies, lamp, rays, blocked });
+}
+
+/// Tries a body with some rays of each packet.
+#[inline(always)]
+fn try_body<L: Backend>(
+    world: &World,
+    lamp: DVec3,
+    rays: &[ToLamp<L>],
+    blocked: &mut [u8; PACKETS],
+    number: u32,
+    asked: &[u8; PACKETS],
+) {
+    match &world.body(number).geometry {
+        Geometry::Sphere { center, radius } => {
+            for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
+                let open = asked[place] & !blocked[place];
+                if open == 0 {
+                    continue;
+                }
+                let here = packet.starts_on(number, &[]);
+                let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
+                let mut met = met & open & t.lt(*distance).bits();
+                if met != 0 && lies_on_sphere(lamp, *center, *radius) {
+                    // the lamp's own place on the sphere is no hit: which of the two is nearer?
+                    let between = packet.direction.dot(Vector::splat(*center - lamp)).abs();
+                    met &= !(*distance - t).le(between).bits();
+                }
+                blocked[place] |= met;
+            }
+        }
+        Geometry::Facets(facets) => {
+            if *asked != [0; PACKETS] {
+                L::enter(OnFacets { facets, body: number, lamp, rays, blocked, asked });
+            }
+        }
+        // planes have no bounds
+        Geometry::Plane { .. } => {}
+    }
 }
 
 impl<L: Lanes> ToLamp<L> {
@@ -90,8 +170,8 @@ struct Bodies<'v, L: Lanes> {
     world: &'v World,
     bodies: &'v [u32],
     lamp: DVec3,
-    rays: &'v PerPacket<ToLamp<L>>,
-    blocked: &'v mut PerPacket<u8>,
+    rays: &'v [ToLamp<L>],
+    blocked: &'v mut [u8; PACKETS],
 }
 
 impl<L: Backend> Visit<L> for Bodies<'_, L> {
@@ -102,56 +182,37 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
 
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
+        let mut asked = [0; PACKETS];
+        for place in lanes(packets) {
+            asked[place] = beam.packets[place].mask;
+        }
         for &number in &self.bodies[first as usize..(first + count) as usize] {
-            match &self.world.body(number).geometry {
-                Geometry::Sphere { center, radius } => {
-                    for place in lanes(packets) {
-                        let ToLamp { packet, distance } = &self.rays[place];
-                        let here = packet.starts_on(number, &[]);
-                        let (met, t) = sphere::<L>(packet.origin, packet.direction, *center, *radius, here);
-                        let mut met = met & packet.mask & t.lt(*distance).bits();
-                        if met != 0 && lies_on_sphere(self.lamp, *center, *radius) {
-                            // the lamp's own place on the sphere is no hit: which of the two is nearer?
-                            let between = packet.direction.dot(Vector::splat(*center - self.lamp)).abs();
-                            met &= !(*distance - t).le(between).bits();
-                        }
-                        self.blocked[place] |= met;
-                        beam.shorten(place, self.limit(place, beam.packets[place].mask));
-                    }
-                }
-                Geometry::Facets(facets) => {
-                    let (lamp, rays) = (self.lamp, self.rays);
-                    L::enter(OnFacets { facets, body: number, lamp, rays, blocked: self.blocked, beam, packets });
-                    for place in lanes(packets) {
-                        beam.shorten(place, self.limit(place, beam.packets[place].mask));
-                    }
-                }
-                // planes have no bounds
-                Geometry::Plane { .. } => {}
-            }
+            try_body(self.world, self.lamp, self.rays, self.blocked, number, &asked);
+        }
+        for place in lanes(packets) {
+            beam.shorten(place, self.limit(place, asked[place]));
         }
     }
 }
 
-/// Tries a set of facets with some packets of a beam.
-struct OnFacets<'s, 'b, B: Backend> {
+/// Tries a set of facets with some rays of each packet.
+struct OnFacets<'s, B: Backend> {
     facets: &'s Facets,
     body: u32,
     lamp: DVec3,
-    rays: &'s PerPacket<ToLamp<B>>,
-    blocked: &'s mut PerPacket<u8>,
-    beam: &'s Beam<'b, B>,
-    packets: u8,
+    rays: &'s [ToLamp<B>],
+    blocked: &'s mut [u8; PACKETS],
+    asked: &'s [u8; PACKETS],
 }
 
-impl<B: Backend> Step<B> for OnFacets<'_, '_, B> {
+impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let OnFacets { facets, body, lamp, rays, blocked, beam, packets } = self;
+        let OnFacets { facets, body, lamp, rays, blocked, asked } = self;
         let mut within = Beam::new(facets.bvh(), facets.margin());
-        for (place, ToLamp { packet, .. }) in rays.iter().enumerate() {
-            let mask = if packets >> place & 1 == 1 { beam.packets[place].mask & !blocked[place] } else { 0 };
-            send(&mut within, facets, (Vector::splat(lamp), -packet.direction), mask, beam.limit(place));
+        for (place, ray) in rays.iter().enumerate() {
+            let open = asked[place] & !blocked[place];
+            send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
         }
         within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
     }
@@ -162,8 +223,8 @@ struct FacetLeaves<'v, L: Lanes> {
     facets: &'v Facets,
     body: u32,
     lamp: DVec3,
-    rays: &'v PerPacket<ToLamp<L>>,
-    blocked: &'v mut PerPacket<u8>,
+    rays: &'v [ToLamp<L>],
+    blocked: &'v mut [u8; PACKETS],
 }
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
@@ -200,7 +261,7 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
 impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
     #[inline(always)]
     fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let ToLamp { packet, distance } = &self.rays[place];
+        let ToLamp { packet, distance, .. } = &self.rays[place];
         let may = may & !self.blocked[place];
         if may == 0 {
             return false;

@@ -2,7 +2,7 @@
 
 use super::lanes::{Lanes, Mask, Real};
 use super::packet::{Hits, Packet};
-use super::vector::{Vector, equal, lanes, mask};
+use super::vector::{Vector, lanes, mask, put_value};
 use crate::World;
 use crate::world::{Extent, Facets, Geometry};
 use glam::DVec3;
@@ -26,31 +26,29 @@ pub(super) struct Points<L: Lanes> {
 }
 
 impl<L: Lanes> Points<L> {
-    /// The points of a packet's hits, recomputed from the primitives.
+    /// No points.
     #[inline(always)]
-    pub(super) fn of(world: &World, packet: &Packet<L>, hits: &Hits<L>, met: u8) -> Points<L> {
+    pub(super) fn none() -> Points<L> {
+        let zero = Vector::splat(DVec3::ZERO);
+        let (point, geometric, normal, numbers) = (zero, zero, zero, [0; 8]);
+        Points { mask: 0, point, geometric, normal, body: numbers, surface: numbers, enters: 0, leaves: 0 }
+    }
+
+    /// Becomes the points of a packet's hits, recomputed from the primitives. In place: they are too large to be moved.
+    #[inline(always)]
+    pub(super) fn find(&mut self, world: &World, packet: &Packet<L>, hits: &Hits<L>, met: u8) {
         let seen = packet.origin + packet.direction * hits.t;
-        let mut points = Points {
-            mask: met,
-            point: seen,
-            geometric: seen,
-            normal: seen,
-            body: hits.body,
-            surface: [0; 8],
-            enters: 0,
-            leaves: 0,
-        };
+        let points = self;
+        (points.mask, points.point, points.body) = (met, seen, hits.body);
         let (mut outward, mut smooth, mut is_smooth) = (seen, seen, 0);
         let (mut sheets, mut inverted) = (0, 0);
         let mut left = met;
         while left != 0 {
             let number = hits.body[left.trailing_zeros() as usize];
-            let group = left & equal(&hits.body, number);
+            let group = left & L::equal(&hits.body, number);
             left &= !group;
             let body = world.body(number);
-            for lane in lanes(group) {
-                points.surface[lane] = body.surface;
-            }
+            put_value(&mut points.surface, group, body.surface);
             let (point, normal) = match &body.geometry {
                 Geometry::Sphere { center, radius } => {
                     // N = CP/R
@@ -64,13 +62,11 @@ impl<L: Lanes> Points<L> {
                 }
                 Geometry::Facets(facets) => {
                     let first = hits.facet[group.trailing_zeros() as usize];
-                    if group & !equal(&hits.facet, first) == 0 && facets.normals(first).is_none() {
+                    if group & !L::equal(&hits.facet, first) == 0 && facets.normals(first).is_none() {
                         // all on one flat facet
                         let [p0, p1, p2] = facets.corners(first);
                         if let Some(part) = facets.surface(first) {
-                            for lane in lanes(group) {
-                                points.surface[lane] = part;
-                            }
+                            put_value(&mut points.surface, group, part);
                         }
                         let (u, v) = (p1 - p0, p2 - p0);
                         let along = Vector::splat(u) * hits.alpha;
@@ -106,7 +102,6 @@ impl<L: Lanes> Points<L> {
             let turned = smooth.against(-points.geometric);
             Vector::select(mask::<L::Real>(is_smooth), turned, points.geometric)
         };
-        points
     }
 }
 
@@ -130,7 +125,7 @@ impl OnFacets {
         let mut left = group;
         while left != 0 {
             let facet = hits.facet[left.trailing_zeros() as usize];
-            let same = left & equal(&hits.facet, facet);
+            let same = left & L::equal(&hits.facet, facet);
             left &= !same;
             let [p0, p1, p2] = facets.corners(facet);
             let (u, v) = (p1 - p0, p2 - p0);

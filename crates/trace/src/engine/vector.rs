@@ -140,14 +140,12 @@ impl Iterator for LaneNumbers {
     }
 }
 
-/// The lanes in which two lists hold the same as `value`.
+/// Puts a value into some lanes of a list.
 #[inline(always)]
-pub(crate) fn equal(list: &[u32; 8], value: u32) -> u8 {
-    let mut bits = 0;
+pub(crate) fn put_value<T: Copy>(list: &mut [T; 8], lanes: u8, value: T) {
     for lane in 0..8 {
-        bits |= u8::from(list[lane] == value) << lane;
+        list[lane] = if lanes >> lane & 1 == 1 { value } else { list[lane] };
     }
-    bits
 }
 
 /// A mask of lanes for [`Real::select`].

@@ -8,6 +8,7 @@ mod body;
 mod compile;
 mod contains;
 mod facets;
+mod few;
 mod media;
 mod packed;
 mod packs;
@@ -21,6 +22,7 @@ mod tests;
 
 pub(crate) use body::{Body, Extent, Geometry};
 pub(crate) use facets::Facets;
+pub(crate) use few::{FEW, Few};
 pub(crate) use media::Media;
 pub use stats::BuildStats;
 
@@ -80,6 +82,11 @@ impl World {
     /// The bodies that every ray is tried against.
     pub(crate) fn unbounded(&self) -> &[u32] {
         self.top.unbounded()
+    }
+
+    /// The bounded bodies by the balls around them, if they are few.
+    pub(crate) fn few(&self) -> Option<&Few> {
+        self.top.few()
     }
 
     /// The hierarchy over the bounded bodies, and their numbers in the order of its leaves.

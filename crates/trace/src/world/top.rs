@@ -1,6 +1,7 @@
 //! The top level: the hierarchy over the bodies that have bounds, and the list of those that have none.
 
 use super::body::{Body, Geometry};
+use super::few::Few;
 use crate::bvh::{Bounds, Bvh};
 
 /// The bodies of a world, in the order in which rays are brought to them.
@@ -12,6 +13,8 @@ pub(crate) struct Top {
     bvh: Bvh,
     /// The numbers in the order of the leaves.
     order: Vec<u32>,
+    /// The same bodies if they are few.
+    few: Option<Few>,
 }
 
 impl Top {
@@ -32,12 +35,18 @@ impl Top {
         let boxes: Vec<Bounds> = bounds.iter().map(|(_, bounds)| *bounds).collect();
         let (bvh, order) = Bvh::build(&boxes);
         let order = order.into_iter().map(|item| bounds[item as usize].0).collect();
-        Some(Top { unbounded, bounds, bvh, order })
+        let few = Few::of(bodies, &bounds);
+        Some(Top { unbounded, bounds, bvh, order, few })
     }
 
     /// The bodies that every ray is tried against.
     pub(crate) fn unbounded(&self) -> &[u32] {
         &self.unbounded
+    }
+
+    /// The others by the balls around them, if they are few.
+    pub(crate) fn few(&self) -> Option<&Few> {
+        self.few.as_ref()
     }
 
     /// The hierarchy over the others, and their numbers in the order of its leaves.

@@ -33,6 +33,13 @@ struct Operands {
     right: u8,
 }
 
+impl Operands {
+    /// Small numbers, of which some are equal.
+    fn numbers(&self) -> [u32; 8] {
+        self.p.map(|p| p.to_bits() % 3)
+    }
+}
+
 /// The operations' names and the bits of their lanes; every NaN has the same.
 type Results = Vec<(&'static str, [u64; 8])>;
 
@@ -94,6 +101,7 @@ fn reals<L: Lanes>(operands: &Operands) -> Results {
         ("and", truth(left & right)),
         ("or", truth(left | right)),
         ("not", truth(!left)),
+        ("equal", truth_bits(L::equal(&operands.numbers(), operands.numbers()[3]))),
     ]
 }
 
@@ -169,6 +177,7 @@ fn expected(operands: &Operands) -> Results {
         ("and", truths(&|i| bit(left & right, i))),
         ("or", truths(&|i| bit(left | right, i))),
         ("not", truths(&|i| !bit(*left, i))),
+        ("equal", truths(&|i| operands.numbers()[i] == operands.numbers()[3])),
         ("f32 splat", single(&|_| p[0])),
         ("f32 load", single(&|i| p[i])),
         ("f32 of_halves", single(&|i| if i < 4 { p_numbers[i] } else { q_numbers[i] })),

@@ -43,6 +43,16 @@ impl Lanes for Avx2 {
         // SAFETY: this type exists only where AVX2 is (the module's text).
         Singles(unsafe { _mm256_set_m128(_mm256_cvtpd_ps(value.1), _mm256_cvtpd_ps(value.0)) })
     }
+
+    #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        // SAFETY: as above; the eight numbers are read where they stand, which need not be aligned.
+        unsafe {
+            let numbers = _mm256_loadu_si256(list.as_ptr().cast());
+            let same = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(value as i32));
+            _mm256_movemask_ps(_mm256_castsi256_ps(same)) as u8
+        }
+    }
 }
 
 /// Methods of two operands, one instruction a register.

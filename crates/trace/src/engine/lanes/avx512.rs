@@ -40,6 +40,12 @@ impl Lanes for Avx512 {
         // SAFETY: this type exists only where AVX-512 is (the module's text).
         Singles(unsafe { _mm512_cvtpd_ps(value.0) })
     }
+
+    #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        // SAFETY: as above; the eight numbers are read where they stand, which need not be aligned.
+        unsafe { _mm256_cmpeq_epi32_mask(_mm256_loadu_si256(list.as_ptr().cast()), _mm256_set1_epi32(value as i32)) }
+    }
 }
 
 impl Mask for Bits {

@@ -41,6 +41,9 @@ pub(crate) trait Lanes: Copy + Send + Sync + 'static {
 
     /// Each lane rounded to the nearest f32, ties to even; what is too large becomes infinite.
     fn narrow(value: Self::Real) -> Self::Single;
+
+    /// The lanes of a list of numbers that hold `value`: lane `i` in bit `i`.
+    fn equal(list: &[u32; 8], value: u32) -> u8;
 }
 
 /// One truth value a lane. The operators work lane by lane.
@@ -154,7 +157,6 @@ pub(crate) trait Single:
     fn le(self, other: Self) -> Self::Mask;
 
     /// `self > other`.
-    #[allow(dead_code, reason = "one of four comparisons, which the tests hold to each other")]
     fn gt(self, other: Self) -> Self::Mask;
 
     /// `self >= other`.

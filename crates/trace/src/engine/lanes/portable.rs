@@ -30,6 +30,15 @@ impl Lanes for Portable {
     fn narrow(value: Eight<f64>) -> Eight<f32> {
         value.map(|lane| lane as f32)
     }
+
+    #[inline(always)]
+    fn equal(list: &[u32; 8], value: u32) -> u8 {
+        let mut bits = 0;
+        for lane in 0..8 {
+            bits |= u8::from(list[lane] == value) << lane;
+        }
+        bits
+    }
 }
 
 impl<T: Copy> Eight<T> {
