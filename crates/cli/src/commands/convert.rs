@@ -80,7 +80,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     };
     let source = Source { name: output.display().to_string().into(), text: "".into() };
     documents::tell(&source, &losses, &console);
-    target::write(output, context, |out| out.write_all(&bytes))?;
+    target::write_document(output, context, &bytes)?;
     Ok(Exit::Done)
 }
 

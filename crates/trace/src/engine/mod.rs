@@ -12,6 +12,10 @@
 mod bounce;
 mod caster;
 mod dispatch;
+mod facet_filter;
+mod facets_alone;
+mod facets_blocking;
+mod facets_nearest;
 mod few;
 mod hidden_surfaces;
 mod image;
