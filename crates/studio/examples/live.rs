@@ -208,15 +208,19 @@ impl Measured {
         self.studio.perform(ctx, Action::Preview(edit));
     }
 
-    fn begin(&mut self, ctx: &egui::Context) {
+    /// Opens or closes one more view; whether there are as many as the row wants.
+    fn arrange(&mut self, ctx: &egui::Context) -> bool {
+        let (wanted, shown) = (self.plan.views[self.row], self.studio.shown());
         let views: Vec<_> = self.studio.document().stage().views.iter().map(|view| view.name.clone()).collect();
-        for view in views.iter().take(self.plan.views[self.row]) {
+        let is_shown = |view: &lancer_scene::Name| shown.iter().any(|name| **name == **view);
+        if let Some(view) = views.iter().take(wanted).find(|view| !is_shown(view)) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Show));
-        }
-        for view in views.iter().skip(self.plan.views[self.row]) {
+        } else if let Some(view) = views.iter().skip(wanted).find(|view| is_shown(view)) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Close));
+        } else {
+            return true;
         }
-        self.studio.perform(ctx, Action::Begin(StepName::New));
+        false
     }
 
     fn next(&mut self, ctx: &egui::Context) -> Phase {
@@ -240,8 +244,10 @@ impl eframe::App for Measured {
         let complete = sessions.iter().all(|session| session.status().first_complete.is_some());
         match std::mem::replace(&mut self.phase, Phase::Begin) {
             Phase::Begin => {
-                self.begin(&ctx);
-                self.phase = self.next(&ctx);
+                if self.arrange(&ctx) {
+                    self.studio.perform(&ctx, Action::Begin(StepName::New));
+                    self.phase = self.next(&ctx);
+                }
                 ctx.request_repaint();
             }
             Phase::Edited { begun, complete: before } => {

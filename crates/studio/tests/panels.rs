@@ -69,7 +69,7 @@ fn type_as(window: &mut Window, role: Role, label: &str, text: &str) {
 }
 
 /// What an edit by a widget must be: one step, with a name of its own, that changes the scene.
-fn one_step(window: &mut Window, what: &str, names: &[String], edit: impl FnOnce(&mut Window)) {
+fn one_step(window: &mut Window, what: &str, names: &[String], edit: impl Fn(&mut Window)) {
     let before = (window.steps(), window.stage().clone());
     edit(window);
     assert_eq!(window.steps(), before.0 + 1, "{what}");
@@ -133,29 +133,31 @@ fn edit_all(window: &mut Window, item: &Item, rules: &[&'static ElementRule]) ->
                 assert!(matches!(item, Item::View(_)) && ["eye", "screen"].contains(&rule.name), "no field for {what}");
                 continue;
             }
-            match known.kind {
-                Kind::Choice(words) if role == Role::ComboBox => {
-                    let now = window.harness.get_by_role_and_label(role, &field).value().unwrap_or_default();
-                    let shown = |word: &&str| attribute::choice(Lang::English, word).to_owned();
-                    for word in words.iter().map(|word| shown(word)).filter(|word| *word != now) {
-                        one_step(window, &format!("{what} {word}"), &names, |window| choose(window, &field, &word));
-                    }
+            let mut edit = |what: &str, edit: &dyn Fn(&mut Window)| one_step(window, what, &names, edit);
+            if let (Kind::Choice(words), Role::ComboBox) = (known.kind, role) {
+                // all words, and the one that stands there last
+                let shown = |word: &&str| attribute::choice(Lang::English, word).to_owned();
+                let words: Vec<String> = words.iter().map(shown).collect();
+                for word in words.iter().skip(1).chain(words.first()) {
+                    edit(&format!("{what} {word}"), &|window| choose(window, &field, word));
                 }
-                Kind::Choice(_) => one_step(window, &what, &names, |window| press(window, role, &field)),
-                Kind::Steps => {
-                    for step in ["+ Shadows", "+ Reflection", "+ Transparency"] {
-                        one_step(window, step, &names, |window| press(window, role, step));
-                    }
+            } else if known.kind == Kind::Steps {
+                for step in ["+ Shadows", "+ Reflection", "+ Transparency"] {
+                    edit(step, &|window| press(window, role, step));
                 }
-                Kind::MaterialName => one_step(window, &what, &names, |window| choose(window, &field, text)),
-                Kind::Name => {
-                    let (old, new) = (item.name().unwrap().clone(), format!("{} 2", item.name().unwrap()));
-                    let names = [format!("Rename {old} to {new}")];
-                    one_step(window, &what, &names, |window| type_as(window, role, &field, &new));
-                    let names = [format!("Rename {new} to {old}")];
-                    one_step(window, &what, &names, |window| type_as(window, role, &field, &old));
+            } else if known.kind == Kind::Name {
+                let old = item.name().unwrap().to_string();
+                let new = format!("{old} 2");
+                for (from, to) in [(&old, &new), (&new, &old)] {
+                    let names = [format!("Rename {from} to {to}")];
+                    one_step(window, &what, &names, |window| type_as(window, role, &field, to));
                 }
-                _ => one_step(window, &what, &names, |window| type_into(window, &field, text)),
+            } else if role == Role::CheckBox {
+                edit(&what, &|window| press(window, role, &field));
+            } else if role == Role::ComboBox {
+                edit(&what, &|window| choose(window, &field, text));
+            } else {
+                edit(&what, &|window| type_into(window, &field, text));
             }
         }
     }

@@ -8,6 +8,7 @@ use egui_kittest::kittest::Queryable;
 use lancer_document::Item;
 use lancer_scene::generate::Family;
 use lancer_scene::{DVec3, PointLight, Stage};
+use lancer_studio::{Action, ViewAction};
 use lancer_words::Lang;
 use std::hash::{Hash, Hasher};
 use window::{Window, stage};
@@ -237,6 +238,26 @@ fn panes_split_close_and_come_back() {
     assert_eq!(window.stage().views.len(), 3, "the view stays in the document");
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.studio().shown(), ["front"], "the split is taken back");
+}
+
+/// Four views that are shown one after the other stand in two rows and two columns.
+#[test]
+fn a_view_is_shown_where_there_is_most_room() {
+    let mut stage = stage();
+    let more = ["third", "fourth"].map(|name| window::view(name, DVec3::new(1.0, 1.0, 5.0)));
+    stage.views = stage.views.iter().map(|view| lancer_scene::View::clone(view)).chain(more).collect();
+    let mut window = Window::new(stage, Lang::English);
+    // without panels the panes are wide
+    window.press(Modifiers::NONE, Key::F10);
+    let ctx = window.harness.ctx.clone();
+    for name in ["high", "third", "fourth"] {
+        window.harness.state_mut().perform(&ctx, Action::View(name.into(), ViewAction::Show));
+        window.settle();
+    }
+    let sizes = ["front", "high", "third", "fourth"]
+        .map(|name| window.harness.get_by_label(&format!("Picture of {name}")).rect().size());
+    let areas = sizes.map(|size| size.x * size.y);
+    assert!(areas.iter().all(|area| (area / areas[0] - 1.0).abs() < 0.2), "{sizes:?}");
 }
 
 #[test]
