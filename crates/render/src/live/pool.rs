@@ -236,9 +236,9 @@ impl State {
     }
 }
 
-/// How eager the workers are, from 0 to 100; an ordinary thread is 50. On Linux this is a niceness of 5: a window that
-/// paints gets three times as much of a processor as a worker, and a worker all that is left over.
-const EAGERNESS: u8 = 37;
+/// How eager the workers are, from 0 to 100; an ordinary thread is 50. On Linux this is a niceness of 10: whoever shows the
+/// pictures gets a processor at once, and the workers get whatever is left over.
+const EAGERNESS: u8 = 25;
 
 /// A worker: takes a unit, computes it, sends it; sleeps where there is none.
 fn work(desk: &Desk, wake_window: &dyn Fn()) {
