@@ -29,6 +29,7 @@ fn everything() -> Stage {
         Shape::Facet { p0, p1, p2 },
         Shape::Cube { center: DVec3::ONE, edge: 1.0, rotation: DVec3::ZERO },
         Shape::Parallelepiped { origin: DVec3::ZERO, edges: [DVec3::X, DVec3::Y, DVec3::Z] },
+        Shape::Cone { base: DVec3::ZERO, top: DVec3::Y, base_radius: 0.5, top_radius: 0.0, capped: true },
         Shape::Mesh(mesh),
     ];
     let mut stage = Stage::default();

@@ -368,6 +368,7 @@ fn element(shape: &Shape) -> &'static ElementRule {
         Shape::Facet { .. } => &vocabulary::FACET,
         Shape::Cube { .. } => &vocabulary::CUBE,
         Shape::Parallelepiped { .. } => &vocabulary::BOX,
+        Shape::Cone { .. } => &vocabulary::CONE,
         Shape::Mesh(_) => &vocabulary::MESH,
     }
 }

@@ -11,6 +11,7 @@
 
 mod bounce;
 mod caster;
+mod cone;
 mod dispatch;
 mod facet_filter;
 mod facets_alone;
