@@ -92,6 +92,13 @@ def scale(text):
     return values
 
 
+def radius(text):
+    value = one(text)
+    if not 0 <= value <= 1e9:
+        raise ValueError("a radius")
+    return value
+
+
 ZERO, ONE = np.zeros(3), np.ones(3)
 NAMED = {"name": (name, None), "visible": (truth, True)}
 OBJECT = {**NAMED, "material": (name, None)}
@@ -111,6 +118,8 @@ TABLE = {
     "facet": {**OBJECT, "p0": (point, REQUIRED), "p1": (point, REQUIRED), "p2": (point, REQUIRED)},
     "cube": {**OBJECT, "center": (point, REQUIRED), "edge": (length, REQUIRED), "rotation": (point, ZERO)},
     "box": {**OBJECT, "origin": (point, REQUIRED), "u": (point, REQUIRED), "v": (point, REQUIRED), "w": (point, REQUIRED)},
+    "cone": {**OBJECT, "base": (point, REQUIRED), "top": (point, REQUIRED), "base-radius": (radius, REQUIRED),
+             "top-radius": (radius, REQUIRED), "capped": (truth, True)},
     "mesh": {**OBJECT, "position": (point, ZERO), "rotation": (point, ZERO), "scale": (scale, ONE), "smooth": (truth, False)},
     "part": {"material": (name, REQUIRED), "facets": (lambda text: count(text, 2).astype(int), REQUIRED)},
     "vertices": {}, "facets": {},
@@ -159,7 +168,7 @@ def read_scene(path):
     root = ET.parse(path).getroot()
     if root.tag != "scene":
         raise ValueError(f"root <{root.tag}>")
-    shapes = ("sphere", "plane", "facet", "cube", "box", "mesh")
+    shapes = ("sphere", "plane", "facet", "cube", "box", "cone", "mesh")
     nodes = children(root, "world", "material", "light", *shapes)
     attributes(root)
     worlds = [node for node in nodes if node.tag == "world"]

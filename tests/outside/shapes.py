@@ -74,6 +74,60 @@ class Plane:
         return (P - self.p0) @ self.normal < -touch(P, self.p0)
 
 
+class Cone:
+    """The side by its equation in a frame of its own, x2 + y2 = (r + m z)2 for 0 <= z <= h, and the discs at its ends."""
+
+    def __init__(self, thing):
+        self.h = np.linalg.norm(thing.top - thing.base)
+        z = (thing.top - thing.base) / self.h
+        x = unit(np.cross(z, np.eye(3)[np.argmin(np.abs(z))]))
+        self.frame, self.base = np.array([x, np.cross(z, x), z]), thing.base
+        self.r, self.R, self.closed = thing.base_radius, thing.top_radius, thing.capped
+        self.m = (self.R - self.r) / self.h
+        self.materials = np.array([thing.material] * 3)
+        if self.r == self.R == 0 or self.h == 0:
+            raise ValueError("a flat cone")
+        reach = np.sqrt(np.maximum(0, 1 - z * z))
+        low = np.minimum(thing.base - reach * self.r, thing.top - reach * self.R)
+        high = np.maximum(thing.base + reach * self.r, thing.top + reach * self.R)
+        self.diagonal = np.linalg.norm(high - low)
+
+    def hits(self, S, I, start, far):
+        s, i = (S - self.base) @ self.frame.T, I @ self.frame.T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            w, dw = self.r + self.m * s[:, 2], self.m * i[:, 2]
+            a = i[:, 0] ** 2 + i[:, 1] ** 2 - dw ** 2
+            b = s[:, 0] * i[:, 0] + s[:, 1] * i[:, 1] - w * dw
+            c = s[:, 0] ** 2 + s[:, 1] ** 2 - w ** 2
+            root = np.sqrt(np.where(np.abs(b * b - a * c) < 1e-12 * b * b, 0, b * b - a * c))
+            ts = [(-b - root) / a, (-b + root) / a] + [(h - s[:, 2]) / i[:, 2] for h in (0, self.h)]
+            least = np.where(start >= 0, NEIGHBOUR, TOUCH) * (1 + np.abs(S).max(1))
+            best, which = np.full(len(S), NONE), np.zeros(len(S), int)
+            for k, t in enumerate(ts):
+                p = s + t[:, None] * i
+                if k < 2:
+                    good, face = (p[:, 2] >= -1e-12) & (p[:, 2] <= self.h + 1e-12) & (root >= 0), 0
+                    good &= (root > 0) | (np.abs(i[:, 2]) == 1)     # a touching ray is no hit, one down the axis is
+                else:
+                    good, face = (p[:, 0] ** 2 + p[:, 1] ** 2 < (self.r, self.R)[k - 2] ** 2) & self.closed, k - 1
+                good &= (t > least) & (t < best)
+                best, which = np.where(good, t, best), np.where(good, face, which)
+        return best, which
+
+    def normals(self, P, facet):
+        p = (P - self.base) @ self.frame.T
+        around = np.hypot(p[:, 0], p[:, 1])[:, None]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            side = np.where(around > 1e-15, np.c_[p[:, :2] / around, np.full(len(p), -self.m)], [0, 0, -np.sign(self.m)])
+        N = unit(np.where(facet[:, None] == 0, side, np.where(facet[:, None] == 1, [0, 0, -1.0], [0, 0, 1.0])))
+        return N @ self.frame, N @ self.frame
+
+    def contains(self, P):
+        p, near = (P - self.base) @ self.frame.T, touch(P, self.base)
+        within = near < p[2] < self.h - near and np.hypot(p[0], p[1]) < self.r + self.m * p[2] - near
+        return self.closed and bool(within)
+
+
 class Facets:
     """An object made of facets. A facet is hit where alpha >= 0, beta >= 0, alpha + beta <= 1."""
 
@@ -205,6 +259,8 @@ def shape(thing):
         if thing.kind == "plane":
             return Plane(thing)
         return Facets(np.array([thing.p0, thing.p1, thing.p2]), np.array([[0, 1, 2]]), [thing.material])
+    if thing.kind == "cone":
+        return Cone(thing)
     if thing.kind == "cube":
         axes = thing.edge * rotation(thing.rotation).T
         return block(thing.center - axes.sum(0) / 2, *axes, thing.material)

@@ -153,6 +153,7 @@ fn beside(object: &Object, name: Name) -> Object {
         | Shape::Facet { .. }
         | Shape::Cube { .. }
         | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. }
         | Shape::Mesh(_) => object.shape.bounds().map_or(0.0, |(low, high)| high.x - low.x),
     };
     let by = match &object.shape {
@@ -162,6 +163,7 @@ fn beside(object: &Object, name: Name) -> Object {
         | Shape::Facet { .. }
         | Shape::Cube { .. }
         | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. }
         | Shape::Mesh(_) => DVec3::X * (width * 1.1),
     };
     let by = decimal::rounded_point(by, decimal::places(width.max(1e-9)) + 2);

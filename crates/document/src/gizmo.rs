@@ -125,6 +125,7 @@ pub fn translated(object: &Object, by: DVec3) -> Object {
         Shape::Sphere { center, .. } | Shape::Cube { center, .. } => move_point(center),
         Shape::Plane { p0, p1, p2 } | Shape::Facet { p0, p1, p2 } => [p0, p1, p2].into_iter().for_each(move_point),
         Shape::Parallelepiped { origin, .. } => move_point(origin),
+        Shape::Cone { base, top, .. } => [base, top].into_iter().for_each(move_point),
         Shape::Mesh(mesh) => move_point(&mut mesh.placement.position),
     }
     object
@@ -176,6 +177,7 @@ pub fn place_of(stage: &Stage, item: &Item) -> Option<DVec3> {
             | Shape::Facet { .. }
             | Shape::Cube { .. }
             | Shape::Parallelepiped { .. }
+            | Shape::Cone { .. }
             | Shape::Mesh(_)) => shape.bounds().map_or(DVec3::ZERO, |(low, high)| (low + high) * 0.5),
         }),
         Item::Light(_) => stage.scene.lights.get(index).map(|light| light.position),

@@ -23,6 +23,8 @@ pub enum NewItem {
     Cube,
     /// A box, half as high as it is wide.
     Parallelepiped,
+    /// A cone that stands upright, as high as it is wide.
+    Cone,
     /// A mesh that was loaded.
     Mesh {
         /// The name that it brings with it: its file's, without the extension. Empty for none.
@@ -142,6 +144,12 @@ pub fn added(stage: &Stage, item: NewItem, at: &Standpoint) -> Command {
             let middle = at.above(half / 2.0 - size * SUNK);
             let origin = at.rounded(middle - (edges[0] + edges[1] + edges[2]) * 0.5);
             object("box", Shape::Parallelepiped { origin, edges })
+        }
+        NewItem::Cone => {
+            // from its foot in the floor to a tip above it
+            let base = at.rounded(at.point - at.up * (size * SUNK));
+            let top = at.rounded(base + at.up * size);
+            object("cone", Shape::Cone { base, top, base_radius: half, top_radius: 0.0, capped: true })
         }
         NewItem::Mesh { stem, geometry, source } => {
             let name = if stem.trim().is_empty() {

@@ -165,6 +165,7 @@ fn bounds(stage: &Stage, item: &Item) -> Option<(DVec3, DVec3)> {
                 | Shape::Facet { .. }
                 | Shape::Cube { .. }
                 | Shape::Parallelepiped { .. }
+                | Shape::Cone { .. }
                 | Shape::Mesh(_) => shape.bounds(),
             }
         }

@@ -15,7 +15,7 @@ pub type Polyline = Vec<(f64, f64)>;
 /// A mesh with more facets than these is shown by the box around it.
 const MOST_FACETS: usize = 4000;
 /// Segments of a circle.
-const SEGMENTS: usize = 96;
+const SEGMENTS: u32 = 96;
 /// Cells along each side of a plane's patch.
 const PATCH: i32 = 4;
 /// Half the size of a lamp's star, in pixels.
@@ -63,6 +63,9 @@ impl Wireframes {
                 .shape
                 .frame()
                 .map_or_else(Vec::new, |(origin, edges)| segments(&box_edges(origin, edges), camera)),
+            Shape::Cone { base, top, base_radius, top_radius, .. } => {
+                cone([*base, *top], [*base_radius, *top_radius], camera)
+            }
             Shape::Mesh(mesh) => self.mesh(mesh, camera),
         }
     }
@@ -138,15 +141,35 @@ fn sphere(center: DVec3, radius: f64, camera: &Camera) -> Vec<Polyline> {
     circle(center + along * (radius * ratio), along, touching, camera)
 }
 
+/// The two circles of a cone, and the two lines of its side along which the eye's rays touch it; from inside of it four
+/// lines of its side.
+fn cone([base, top]: [DVec3; 2], radii: [f64; 2], camera: &Camera) -> Vec<Polyline> {
+    let (axis, height) = ((top - base).normalize_or_zero(), (top - base).length());
+    let circles = [(base, radii[0]), (top, radii[1])].into_iter().filter(|(_, radius)| *radius > 0.0);
+    let mut lines: Vec<Polyline> = circles.flat_map(|(center, radius)| circle(center, axis, radius, camera)).collect();
+    // the normal at the angle φ is cos φ·u + sin φ·v - m·a; it is perpendicular to the sight from the eye where
+    // cos φ = (R₀ + m·z)/ρ, with the eye at z along the axis and ρ beside it, in the direction u
+    let to_eye = camera.eye() - base;
+    let (z, slope) = (to_eye.dot(axis), (radii[1] - radii[0]) / height);
+    let beside = to_eye - axis * z;
+    let cosine = (radii[0] + slope * z) / beside.length();
+    let u = beside.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+    let v = axis.cross(u);
+    let directions = if cosine.abs() < 1.0 {
+        let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+        vec![u * cosine + v * sine, u * cosine - v * sine]
+    } else {
+        vec![u, v, -u, -v]
+    };
+    let side: Vec<[DVec3; 2]> =
+        directions.into_iter().map(|way| [base + way * radii[0], top + way * radii[1]]).collect();
+    lines.extend(segments(&side, camera));
+    lines
+}
+
 fn circle(center: DVec3, normal: DVec3, radius: f64, camera: &Camera) -> Vec<Polyline> {
-    let u = normal.any_orthonormal_vector();
-    let v = normal.cross(u);
-    let points: Vec<DVec3> = (0..=SEGMENTS)
-        .map(|step| {
-            let (sin, cos) = libm::sincos(std::f64::consts::TAU * (step % SEGMENTS) as f64 / SEGMENTS as f64);
-            center + (u * cos + v * sin) * radius
-        })
-        .collect();
+    let mut points = lancer_scene::circle(center, normal, radius, SEGMENTS);
+    points.extend(points.first().copied());
     projected(&points, camera)
 }
 

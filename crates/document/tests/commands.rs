@@ -71,6 +71,11 @@ fn new_things_stand_on_the_floor_before_the_view() {
     add(&mut document, NewItem::Cube);
     let cube = Shape::Cube { center: DVec3::new(0.0, 0.249, 0.0), edge: 0.5, rotation: DVec3::ZERO };
     assert_eq!(shape(&document, "cube 1"), cube);
+    let mut document = Document::new(StepName::New, crate::stage());
+    add(&mut document, NewItem::Cone);
+    let (base, top) = (DVec3::new(0.0, -0.001, 0.0), DVec3::new(0.0, 0.499, 0.0));
+    let cone = Shape::Cone { base, top, base_radius: 0.25, top_radius: 0.0, capped: true };
+    assert_eq!(shape(&document, "cone 1"), cone);
 }
 
 /// Where z is up, things stand upright along z.

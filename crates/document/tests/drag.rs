@@ -111,6 +111,8 @@ fn every_shape_is_translated() {
         after(Shape::Parallelepiped { origin: p(0.3), edges }),
         Shape::Parallelepiped { origin: q(0.42), edges }
     );
+    let cone = |base, top| Shape::Cone { base, top, base_radius: 1.0, top_radius: 0.0, capped: false };
+    assert_eq!(after(cone(p(0.3), p(0.4))), cone(q(0.42), q(0.52)));
     let facet = |f: &dyn Fn(f64) -> DVec3, x: [f64; 3]| Shape::Facet { p0: f(x[0]), p1: f(x[1]), p2: f(x[2]) };
     assert_eq!(after(facet(&p, [0.3, 0.4, 0.5])), facet(&q, [0.42, 0.52, 0.62]));
     let plane = |f: &dyn Fn(f64) -> DVec3, x: [f64; 3]| Shape::Plane { p0: f(x[0]), p1: f(x[1]), p2: f(x[2]) };

@@ -54,6 +54,33 @@ fn a_spheres_outline_is_its_silhouette() {
     }
 }
 
+/// Of a cone the two circles, and the two lines of its side that the eye's rays touch: they lie in planes through the eye
+/// that are tangent to it, so rays through their points pass the side at no depth. From inside there are four lines.
+#[test]
+fn a_cones_outline_is_its_circles_and_its_silhouette() {
+    let (base, top) = (DVec3::new(0.5, -0.6, 0.0), DVec3::new(0.7, 0.8, -1.0));
+    let camera = camera(DVec3::Z * 4.0, DVec3::ZERO);
+    let lines = outline(Shape::Cone { base, top, base_radius: 0.7, top_radius: 0.2, capped: true }, &camera);
+    assert_eq!(lines.len(), 4);
+    let (axis, height) = ((top - base).normalize(), (top - base).length());
+    for line in &lines[2..] {
+        let [from, to] = [line[0], line[1]];
+        for part in [0.1, 0.5, 0.9] {
+            let ray = camera.ray(from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part);
+            let gap = |t: f64| {
+                let z = (ray.at(t) - base).dot(axis);
+                (ray.at(t) - base - axis * z).length() - (0.7 - 0.5 * z / height)
+            };
+            let least = (0..400_000).map(|step| gap(2.0 + f64::from(step) * 1e-5)).fold(f64::INFINITY, f64::min);
+            assert!(least.abs() < 1e-9, "{least}");
+        }
+    }
+    let pointed = outline(Shape::Cone { base, top, base_radius: 0.0, top_radius: 0.2, capped: false }, &camera);
+    assert_eq!(pointed.len(), 3, "one circle");
+    let around = Shape::Cone { base: DVec3::Z * 9.0, top: DVec3::Z, base_radius: 3.0, top_radius: 3.0, capped: false };
+    assert_eq!(outline(around, &camera).len(), 5, "the far circle is seen, and four lines");
+}
+
 /// A sphere that reaches behind the eye, and one around it.
 #[test]
 fn a_sphere_beside_or_around_the_eye_is_cut() {

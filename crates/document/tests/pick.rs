@@ -31,6 +31,9 @@ fn shape() -> impl Strategy<Value = Shape> {
         }),
         (point(3.0), [point(1.0), point(1.0), point(1.0)])
             .prop_map(|(origin, edges)| Shape::Parallelepiped { origin, edges }),
+        (point(3.0), point(3.0), 0.0..1.5_f64, 0.1..1.5_f64, any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| Shape::Cone { base, top, base_radius, top_radius, capped }
+        ),
         mesh,
     ]
     .prop_filter("a degenerate figure", |shape| shape.check().is_ok())
@@ -47,6 +50,45 @@ fn facet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
     let distance = v.dot(from.cross(u)) / determinant;
     let inside = alpha.min(beta).min(1.0 - alpha - beta);
     (determinant != 0.0 && distance > 0.0).then_some((distance, inside))
+}
+
+/// Every hit of a cone, and how clear of where its side ends and of being grazed: the signs of `|P-B-z·a| - R(z)` along
+/// the ray are bisected.
+fn cone_hits(ray: &Ray, [base, top]: [DVec3; 2], radii: [f64; 2], capped: bool) -> Vec<(f64, f64)> {
+    let height = (top - base).length();
+    let axis = (top - base) / height;
+    let gap = |t: f64| {
+        let from_base = ray.origin + ray.direction * t - base;
+        let z = from_base.dot(axis);
+        ((from_base - axis * z).length() - (radii[0] + (radii[1] - radii[0]) * z / height), z)
+    };
+    let mut hits = Vec::new();
+    let steps: Vec<f64> = (0..4000).map(|step| f64::from(step) * 0.01).collect();
+    for pair in steps.windows(2) {
+        let (mut from, mut to) = (pair[0], pair[1]);
+        // a step across which the gap nearly vanishes without a change of sign is in doubt
+        let (first, last) = (gap(from), gap(to));
+        if first.0.signum() == last.0.signum() {
+            if first.0.abs().min(last.0.abs()) < 0.02 && (-0.05..=height + 0.05).contains(&first.1) {
+                hits.push((from, 0.0));
+            }
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = (from + to) / 2.0;
+            if gap(middle).0.signum() == first.0.signum() { from = middle } else { to = middle }
+        }
+        let z = gap(from).1;
+        hits.extend((from > 0.0 && z > -DOUBT && z < height + DOUBT).then_some((from, z.min(height - z))));
+    }
+    if capped {
+        for (level, radius) in [(0.0, radii[0]), (height, radii[1])] {
+            let t = ((base + axis * level) - ray.origin).dot(axis) / ray.direction.dot(axis);
+            let beside = (ray.origin + ray.direction * t - base - axis * level).length();
+            hits.extend((t > 0.0 && beside < radius + DOUBT).then_some((t, radius - beside)));
+        }
+    }
+    hits
 }
 
 /// Every hit of a shape: how far, and how clear of its borders (infinite where it has none).
@@ -71,6 +113,9 @@ fn hits(ray: &Ray, shape: &Shape) -> Vec<(f64, f64)> {
         Shape::Cube { .. } | Shape::Parallelepiped { .. } => {
             let (origin, edges) = shape.frame().unwrap();
             box_facets(origin, edges).into_iter().filter_map(|corners| facet(ray, corners)).collect()
+        }
+        Shape::Cone { base, top, base_radius, top_radius, capped } => {
+            cone_hits(ray, [*base, *top], [*base_radius, *top_radius], *capped)
         }
         Shape::Mesh(mesh) => {
             let place = |vertex: u32| mesh.placement.apply(mesh.geometry.positions[vertex as usize]);

@@ -210,11 +210,11 @@ fn transfers_as_text_are_told_from_other_damage() {
 
 #[test]
 fn a_newer_version_asks_for_a_newer_lancer() {
-    let newer = read_scene(&forged(|file| file[8] = 2)).unwrap_err();
-    assert_eq!(newer, BinaryProblem::UnknownVersion { found: 2 });
+    let newer = read_scene(&forged(|file| file[8] = 3)).unwrap_err();
+    assert_eq!(newer, BinaryProblem::UnknownVersion { found: 3 });
     assert_eq!(
         newer.message(Lang::English),
-        "this file needs a newer lancer: it has version 2, and this program reads up to version 1"
+        "this file needs a newer lancer: it has version 3, and this program reads up to version 2"
     );
     let none = read_scene(&forged(|file| file[8] = 0)).unwrap_err();
     assert_eq!(none.message(Lang::English), "there is no version 0 of the format");
@@ -375,6 +375,24 @@ fn version1() -> Scene {
         .into_iter()
         .collect(),
     }
+}
+
+/// The same for version 2: that scene, and cones.
+#[test]
+fn the_stored_file_of_version_2_is_read() {
+    let read = read_scene(include_bytes!("binary/version2.lancer")).unwrap();
+    assert_eq!(read, version2());
+}
+
+fn version2() -> Scene {
+    let cone = |name: &str, top_radius, capped| {
+        let shape =
+            Shape::Cone { base: DVec3::X, top: DVec3::new(1.0, 2.5, -0.5), base_radius: 0.75, top_radius, capped };
+        Arc::new(Object::new(name, shape))
+    };
+    let scene = version1();
+    let cones = [cone("tower", 0.0, true), cone("pipe", 0.75, false)];
+    Scene { name: "Version 2".into(), objects: scene.objects.iter().cloned().chain(cones).collect(), ..scene }
 }
 
 /// What was read is a scene like any other: it can be edited.

@@ -44,7 +44,7 @@ fn findings() -> Vec<Finding> {
         hidden(3),
         Finding::CoincidentFaces { first: plane, second: object.clone() },
         Finding::OpenGlass { object: object.clone() },
-        Finding::FacetGlass { object: object.clone() },
+        Finding::SheetGlass { object: object.clone() },
         Finding::EmptyMesh { object: object.clone() },
         Finding::UnusedMaterial { material: name("red") },
         Finding::WorldIndexBelowOne { index: 0.5 },

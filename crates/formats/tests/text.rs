@@ -111,6 +111,16 @@ fn everything() -> Scene {
                     edges: [DVec3::X, DVec3::Y * 0.2, DVec3::Z * 3.0],
                 },
             ),
+            object(
+                "tower",
+                red(),
+                Shape::Cone { base: DVec3::ZERO, top: DVec3::Y * 2.5, base_radius: 0.5, top_radius: 0.0, capped: true },
+            ),
+            object(
+                "pipe",
+                red(),
+                Shape::Cone { base: p1, top: p2, base_radius: 12.0, top_radius: 0.25, capped: false },
+            ),
             object("flag", red(), Shape::Facet { p0, p1: DVec3::Y / 3.0, p2 }),
             object("球", red(), Shape::Sphere { center: DVec3::new(-10.5, 0.125, 1.0), radius: 12.0 }),
             object("pyramid", red(), Shape::Mesh(pyramid)),

@@ -6,6 +6,7 @@
 //! Lengths are free scene units, angles are degrees, axes are right-handed, colours are linear intensities in 0..1.
 
 mod color;
+mod cone;
 mod edit;
 mod environment;
 pub mod generate;
@@ -25,6 +26,7 @@ mod validity;
 mod view;
 
 pub use color::{Color, Rgb};
+pub use cone::{circle, circle_extent, cone_facets};
 pub use edit::{Edit, EditError, ListEdit};
 pub use environment::{Compose, Environment};
 pub use glam::{DMat3, DVec3};
@@ -36,7 +38,7 @@ pub use mesh::{Enclosure, Mesh, MeshGeometry, Part};
 pub use names::{Name, NameKind, first_free_name};
 pub use object::Object;
 pub use picture::Picture;
-pub use placement::Placement;
+pub use placement::{Placement, tan_degrees};
 pub use scene::{Scene, Stage};
 pub use screen::{Screen, ScreenSpec};
 pub use shape::{Shape, box_facets};

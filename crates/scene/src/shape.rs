@@ -1,5 +1,6 @@
 //! The shapes of objects: a closed enum, so that a new shape makes the compiler list the work.
 
+use crate::cone::circle_extent;
 use crate::{Mesh, MeshGeometry, placement};
 use glam::DVec3;
 use std::sync::Arc;
@@ -48,6 +49,19 @@ pub enum Shape {
         /// The three edges that leave it, not in one plane.
         edges: [DVec3; 3],
     },
+    /// A right circular cone, truncated where its second radius is not 0; a cylinder where both radii are equal.
+    Cone {
+        /// The centre of its first circle.
+        base: DVec3,
+        /// The centre of its second circle, elsewhere than the first.
+        top: DVec3,
+        /// The radius at `base`, at least 0.
+        base_radius: f64,
+        /// The radius at `top`, at least 0 and not 0 where the other one is.
+        top_radius: f64,
+        /// Whether discs close its ends, so that it encloses a volume; an open one is a sheet without thickness.
+        capped: bool,
+    },
     /// Any other object made of facets.
     Mesh(Mesh),
 }
@@ -61,6 +75,7 @@ impl Shape {
             Shape::Facet { .. } => "facet",
             Shape::Cube { .. } => "cube",
             Shape::Parallelepiped { .. } => "box",
+            Shape::Cone { .. } => "cone",
             Shape::Mesh(_) => "mesh",
         }
     }
@@ -73,7 +88,8 @@ impl Shape {
             | Shape::Plane { .. }
             | Shape::Facet { .. }
             | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. } => None,
+            | Shape::Parallelepiped { .. }
+            | Shape::Cone { .. } => None,
         }
     }
 
@@ -86,7 +102,9 @@ impl Shape {
                 Some((*center - (edges[0] + edges[1] + edges[2]) * 0.5, edges))
             }
             Shape::Parallelepiped { origin, edges } => Some((*origin, *edges)),
-            Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } | Shape::Mesh(_) => None,
+            Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } | Shape::Cone { .. } | Shape::Mesh(_) => {
+                None
+            }
         }
     }
 
@@ -101,6 +119,11 @@ impl Shape {
             Shape::Facet { p0, p1, p2 } => hull([*p0, *p1, *p2]),
             Shape::Cube { .. } | Shape::Parallelepiped { .. } => {
                 self.frame().and_then(|(origin, edges)| hull(corners(origin, edges)))
+            }
+            Shape::Cone { base, top, base_radius, top_radius, .. } => {
+                let across = circle_extent(*top - *base);
+                let ends = [(*base, *base_radius), (*top, *top_radius)];
+                hull(ends.into_iter().flat_map(|(center, radius)| [center - across * radius, center + across * radius]))
             }
             Shape::Mesh(mesh) => hull(mesh.used_positions()),
         }
@@ -160,6 +183,20 @@ mod tests {
             let expected = 2.0 * (u.cross(v).length() + v.cross(w).length() + w.cross(u).length());
             assert!((area - expected).abs() < 1e-12);
         }
+    }
+
+    /// Circles around a coordinate axis reach their radius across it and nothing along it; one around (1 1 0)/√2 reaches
+    /// r/√2 along x and y and r along z.
+    #[test]
+    fn a_cone_reaches_as_far_as_its_circles() {
+        let bounds = |top: DVec3| {
+            Shape::Cone { base: DVec3::ONE, top, base_radius: 2.0, top_radius: 0.5, capped: false }.bounds().unwrap()
+        };
+        assert_eq!(bounds(DVec3::new(1.0, 4.0, 1.0)), (DVec3::new(-1.0, 1.0, -1.0), DVec3::new(3.0, 4.0, 3.0)));
+        let (low, high) = bounds(DVec3::new(9.0, 9.0, 1.0));
+        let (base, top) = (2.0_f64.sqrt(), 0.5_f64.sqrt() / 2.0);
+        assert!((low - DVec3::new(1.0 - base, 1.0 - base, -1.0)).length() < 1e-12, "{low}");
+        assert!((high - DVec3::new(9.0 + top, 9.0 + top, 3.0)).length() < 1e-12, "{high}");
     }
 
     #[test]

@@ -53,6 +53,12 @@ pub enum Invalid {
     /// The three edges of a box lie in one plane.
     #[error("the three edges lie in one plane")]
     Coplanar,
+    /// The ends of a cone are in one place.
+    #[error("the ends of the cone are in one place")]
+    ConeFlat,
+    /// Both radii of a cone are 0.
+    #[error("both radii of the cone are 0")]
+    ConeThin,
     /// A mesh's scale has a factor 0.
     #[error("`scale` must not be 0")]
     ScaleZero,
@@ -260,6 +266,19 @@ impl Shape {
                 let volume = u.cross(*v).dot(*w).abs();
                 if volume <= limits::SMALLEST_SINE * u.length() * v.length() * w.length() {
                     return Err(Invalid::Coplanar);
+                }
+                Ok(())
+            }
+            Shape::Cone { base, top, base_radius, top_radius, capped: _ } => {
+                point("base", *base)?;
+                point("top", *top)?;
+                within("base-radius", *base_radius, 0.0, limits::COORDINATE)?;
+                within("top-radius", *top_radius, 0.0, limits::COORDINATE)?;
+                if base.distance(*top) < limits::LEAST {
+                    return Err(Invalid::ConeFlat);
+                }
+                if base_radius.max(*top_radius) < limits::LEAST {
+                    return Err(Invalid::ConeThin);
                 }
                 Ok(())
             }

@@ -17,7 +17,8 @@ fn meshes(scene: &Scene) -> impl Iterator<Item = (&Object, &Mesh)> {
         | Shape::Plane { .. }
         | Shape::Facet { .. }
         | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. } => None,
+        | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. } => None,
     })
 }
 
@@ -198,7 +199,7 @@ fn checksum(scene: &Scene) -> u64 {
             Shape::Cube { center, edge, rotation } => {
                 center.to_array().into_iter().chain(rotation.to_array()).chain([*edge]).for_each(&mut add);
             }
-            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } => {}
+            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } | Shape::Cone { .. } => {}
         }
     }
     sum

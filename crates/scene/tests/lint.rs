@@ -23,6 +23,11 @@ fn cube(center: DVec3, edge: f64) -> Shape {
     Shape::Cube { center, edge, rotation: DVec3::ZERO }
 }
 
+/// An upright cone of height 1 from a point.
+fn cone(base: DVec3, base_radius: f64, top_radius: f64, capped: bool) -> Shape {
+    Shape::Cone { base, top: base + DVec3::Y, base_radius, top_radius, capped }
+}
+
 /// The plane at a height, its normal upwards.
 fn level(height: f64) -> Shape {
     Shape::Plane { p0: at(0.0, height, 0.0), p1: at(0.0, height, 1.0), p2: at(1.0, height, 0.0) }
@@ -190,6 +195,13 @@ fn a_lamp_inside_an_object() {
     assert_eq!(found(&with_lamp(ordinary(), at(1.2, 0.5, 0.5)), front()), inside("glass ball"));
     assert_eq!(found(&with_lamp(ordinary(), at(0.2, 0.4, 2.2)), front()), inside("die"));
     assert_eq!(blind(&with_lamp(ordinary(), at(2.1, 0.1, 0.1))), inside("pyramid"));
+    let lantern = |capped| {
+        let lantern = Object::new("lantern", cone(at(-1.0, 0.0, 3.0), 0.5, 0.1, capped));
+        with_lamp(scene([lantern]), at(-1.2, 0.5, 3.0))
+    };
+    assert_eq!(blind(&lantern(true)), inside("lantern"));
+    assert_eq!(blind(&lantern(false)), []);
+    assert_eq!(blind(&with_lamp(lantern(true), at(-1.4, 0.5, 3.0))), [], "beside its side");
     // On the surface is outside, and a corner of the box around it is not the mesh.
     assert_eq!(found(&with_lamp(ordinary(), at(0.0, 1.0, 0.0)), front()), []);
     assert_eq!(found(&with_lamp(ordinary(), at(2.9, 0.9, 0.9)), front()), []);
@@ -373,6 +385,8 @@ fn coincident_faces_of_equal_objects() {
         cube(at(0.1, 0.2, 0.3), 0.7),
         Shape::Cube { center: at(0.1, 0.2, 0.3), edge: 0.7, rotation: at(10.0, 20.0, 30.0) },
         facet(DVec3::X, DVec3::Y, DVec3::Z),
+        cone(at(0.1, 0.2, 0.3), 0.7, 0.2, true),
+        cone(at(0.1, 0.2, 0.3), 0.0, 0.2, false),
         mesh(&tetrahedron, at(0.1, 0.2, 0.3), 0.7),
         mesh(&large, at(0.1, 0.2, 0.3), 0.7),
     ] {
@@ -415,6 +429,10 @@ fn contacts_that_nobody_sees() {
     let grey = Surface::default;
     assert!(!coincident(floor(), die(grey())), "a die stands on the floor");
     assert!(coincident(floor(), die(glass())), "light passes where they touch");
+    let tower = |surface: Surface| of(surface, "tower", cone(DVec3::ZERO, 0.5, 0.0, true));
+    assert!(!coincident(floor(), tower(grey())), "a cone stands on the floor");
+    assert!(coincident(floor(), tower(glass())), "light passes where they touch");
+    assert!(!coincident(floor(), of(glass(), "tube", cone(DVec3::ZERO, 0.5, 0.0, false))), "it has no cap");
     let upper = Object::new("upper", cube(at(0.2, 1.5, 0.2), 1.0));
     assert!(!coincident(die(grey()), upper.clone()), "a die stands on a die");
     assert!(coincident(die(glass()), upper), "the contact is seen through the glass");
@@ -471,7 +489,10 @@ fn glass_without_thickness() {
     );
     assert_eq!(blind(&scene([of(glass(), "closed", mesh(&closed, DVec3::ZERO, 1.0))])), []);
     assert_eq!(blind(&scene([Object::new("opaque", mesh(&open, DVec3::ZERO, 1.0))])), []);
-    assert_eq!(blind(&scene([of(glass(), "pane", pane())])), [Finding::FacetGlass { object: name("pane") }]);
+    let tube = |capped| cone(at(0.0, 0.5, 0.0), 1.0, 0.5, capped);
+    assert_eq!(blind(&scene([of(glass(), "tube", tube(false))])), [Finding::SheetGlass { object: name("tube") }]);
+    assert_eq!(blind(&scene([of(glass(), "rod", tube(true))])), []);
+    assert_eq!(blind(&scene([of(glass(), "pane", pane())])), [Finding::SheetGlass { object: name("pane") }]);
     let thin = Surface { index: Rgb::WHITE, ..glass() };
     assert_eq!(blind(&scene([of(thin, "pane", pane())])), []);
 }

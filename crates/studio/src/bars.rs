@@ -156,6 +156,7 @@ pub(crate) fn tool_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
             Entry::Add(Kind::Plane),
             Entry::Add(Kind::Cube),
             Entry::Add(Kind::Parallelepiped),
+            Entry::Add(Kind::Cone),
             Entry::Add(Kind::Facet),
             Entry::Add(Kind::Mesh),
             Entry::Add(Kind::Light),

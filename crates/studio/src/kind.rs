@@ -18,6 +18,8 @@ pub enum Kind {
     Cube,
     /// A box.
     Parallelepiped,
+    /// A cone.
+    Cone,
     /// A facet.
     Facet,
     /// A mesh from a file.
@@ -32,11 +34,12 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind in the order of the menu.
-    pub const ALL: [Kind; 9] = [
+    pub const ALL: [Kind; 10] = [
         Kind::Sphere,
         Kind::Plane,
         Kind::Cube,
         Kind::Parallelepiped,
+        Kind::Cone,
         Kind::Facet,
         Kind::Mesh,
         Kind::Light,
@@ -50,6 +53,7 @@ impl Kind {
             Kind::Plane => (words::plane, icon::ICON_CROP_LANDSCAPE),
             Kind::Cube => (words::cube, icon::ICON_DEPLOYED_CODE),
             Kind::Parallelepiped => (words::parallelepiped, icon::ICON_VIEW_IN_AR),
+            Kind::Cone => (words::cone, icon::ICON_ICECREAM),
             Kind::Facet => (words::facet, icon::ICON_CHANGE_HISTORY),
             Kind::Mesh => (words::mesh, icon::ICON_POLYLINE),
             Kind::Light => (words::light, icon::ICON_LIGHTBULB),
@@ -70,6 +74,7 @@ impl Kind {
             Kind::Plane => NewItem::Plane,
             Kind::Cube => NewItem::Cube,
             Kind::Parallelepiped => NewItem::Parallelepiped,
+            Kind::Cone => NewItem::Cone,
             Kind::Facet => NewItem::Facet,
             Kind::Mesh => return None,
             Kind::Light => NewItem::Light,

@@ -43,6 +43,7 @@ pub const MENUS: &[(Words, Menu, Groups)] = &[
                 Entry::Add(Kind::Plane),
                 Entry::Add(Kind::Cube),
                 Entry::Add(Kind::Parallelepiped),
+                Entry::Add(Kind::Cone),
                 Entry::Add(Kind::Facet),
                 Entry::Add(Kind::Mesh),
             ],

@@ -5,6 +5,7 @@ use crate::explainer::Explanation;
 use lancer_scene::{Color, Compose, DVec3, Highlight, Object, Reflectance, Rgb, Shape};
 use lancer_trace::observe::{Composed, GlassPath, GlassTerm, LampLight, MirrorTerm, Omitted, RayNode, Seen, Term};
 use lancer_trace::observe::{RayTree, SurfaceNode};
+use lancer_trace::reference::intersect::ConeFace;
 use lancer_trace::reference::light::Lit;
 use lancer_trace::{Channels, RayKind};
 use lancer_words::{Lang, explain as words};
@@ -365,6 +366,14 @@ fn called(object: &Object, facet: u32, lang: Lang) -> String {
         Shape::Facet { .. } => words::object(lang, words::facet(lang), &object.name),
         Shape::Cube { .. } => words::object_facet(lang, words::cube(lang), &object.name, facet),
         Shape::Parallelepiped { .. } => words::object_facet(lang, words::parallelepiped(lang), &object.name, facet),
+        Shape::Cone { .. } => {
+            let face = match ConeFace::of(facet) {
+                ConeFace::Side => words::side(lang),
+                ConeFace::Base => words::base_cap(lang),
+                ConeFace::Top => words::top_cap(lang),
+            };
+            words::object_face(lang, words::cone(lang), &object.name, face)
+        }
         Shape::Mesh(_) => words::object_facet(lang, words::mesh(lang), &object.name, facet),
     }
 }

@@ -81,6 +81,10 @@ fn mesh() -> impl Strategy<Value = Shape> {
     )
 }
 
+fn cone_radius() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => 0.05..2.0_f64, 1 => Just(1.0), 1 => Just(0.0)]
+}
+
 fn shape() -> impl Strategy<Value = Shape> {
     let turn = || prop_oneof![Just(DVec3::ZERO), point(180.0)];
     let radius = || prop_oneof![0.05..2.0_f64, Just(1.0)];
@@ -90,11 +94,13 @@ fn shape() -> impl Strategy<Value = Shape> {
         1 => (place(), place(), place()).prop_map(|(p0, p1, p2)| Shape::Facet { p0, p1, p2 }),
         2 => (place(), radius(), turn()).prop_map(|(center, edge, rotation)| Shape::Cube { center, edge, rotation }),
         1 => (place(), [place(), place(), place()]).prop_map(|(origin, edges)| Shape::Parallelepiped { origin, edges }),
+        2 => (place(), place(), cone_radius(), cone_radius(), any::<bool>())
+            .prop_map(|(base, top, base_radius, top_radius, capped)| Shape::Cone { base, top, base_radius, top_radius, capped }),
         2 => mesh(),
     ]
 }
 
-/// A scene, the point that it lies around, and an eye: in the open, on a lattice point, or on a sphere or a plane.
+/// A scene, the point that it lies around, and an eye: in the open, on a lattice point, on a sphere, a plane or a cone.
 #[derive(Clone, Debug)]
 struct Stage {
     scene: Scene,
@@ -140,6 +146,7 @@ fn moved(mut shape: Shape, by: DVec3) -> Shape {
         Shape::Sphere { center, .. } | Shape::Cube { center, .. } => *center += by,
         Shape::Plane { p0, p1, p2 } | Shape::Facet { p0, p1, p2 } => [p0, p1, p2].into_iter().for_each(|p| *p += by),
         Shape::Parallelepiped { origin, .. } => *origin += by,
+        Shape::Cone { base, top, .. } => [base, top].into_iter().for_each(|p| *p += by),
         Shape::Mesh(mesh) => mesh.placement.position += by,
     }
     shape
@@ -152,6 +159,13 @@ fn on_surface(shape: &Shape, towards: DVec3) -> Option<DVec3> {
         Shape::Plane { p0, p1, p2 } | Shape::Facet { p0, p1, p2 } => {
             let (a, b) = (towards.x.abs() * 0.5, towards.y.abs() * 0.5);
             Some(*p0 + (*p1 - *p0) * a + (*p2 - *p0) * b)
+        }
+        Shape::Cone { base, top, base_radius, .. } => {
+            let axis = (*top - *base).try_normalize()?;
+            // on the base's circle or, in a capped cone, on the disc
+            Some(
+                *base + (towards - axis * towards.dot(axis)).try_normalize()? * *base_radius * towards.x.abs().min(1.0),
+            )
         }
         Shape::Cube { .. } | Shape::Parallelepiped { .. } | Shape::Mesh(_) => None,
     }

@@ -43,6 +43,10 @@ fn sphere(name: &str, center: DVec3, radius: f64, surface: Surface) -> Object {
     object(name, Shape::Sphere { center, radius }, surface)
 }
 
+fn cone([base, top]: [DVec3; 2], [base_radius, top_radius]: [f64; 2], capped: bool) -> Shape {
+    Shape::Cone { base, top, base_radius, top_radius, capped }
+}
+
 /// A plane through `p0` with that normal.
 fn plane(name: &str, p0: DVec3, normal: DVec3, surface: Surface) -> Object {
     let (u, v) = normal.any_orthonormal_pair();
@@ -418,7 +422,10 @@ fn a_lamp_on_a_surface_lights_everything_else() {
         plane("ceiling", lamp, slanting, gloss.clone()),
         object("tile", facet, gloss.clone()),
         sphere("globe", lamp - slanting * 0.8, 0.8, gloss.clone()),
-        object("case", Shape::Cube { center: lamp + DVec3::Y * 0.5, edge: 1.0, rotation: DVec3::ZERO }, gloss),
+        object("case", Shape::Cube { center: lamp + DVec3::Y * 0.5, edge: 1.0, rotation: DVec3::ZERO }, gloss.clone()),
+        object("funnel", cone([lamp, lamp - slanting], [0.7, 0.9], true), gloss.clone()),
+        object("tube", cone([lamp - slanting * 0.8 - u, lamp - slanting * 0.8 + u], [0.8, 0.8], false), gloss.clone()),
+        object("roll", cone([lamp - slanting * 0.8 - u, lamp - slanting * 0.8 + u], [0.8, 0.8], true), gloss),
     ];
     for carrier in carriers {
         let name = carrier.name.clone();
@@ -450,8 +457,11 @@ fn an_eye_on_a_surface_is_outside() {
     let ball = sphere("ball", eye + slanting * 0.83, 0.83, glass.clone());
     let half_space = plane("half-space", eye, -slanting, glass.clone());
     let origin = eye - u * 0.37 - v * 0.41;
-    let slab = object("slab", Shape::Parallelepiped { origin, edges: [u, v, slanting] }, glass);
-    for body in [ball, half_space, slab] {
+    let slab = object("slab", Shape::Parallelepiped { origin, edges: [u, v, slanting] }, glass.clone());
+    let peg = object("peg", cone([eye, eye + slanting], [0.7, 0.6], true), glass.clone());
+    let middle = eye + slanting * 0.6;
+    let roll = object("roll", cone([middle - u, middle + u * 2.0], [0.6, 0.6], true), glass);
+    for body in [ball, half_space, slab, peg, roll] {
         let name = body.name.clone();
         let crossings_of_surfaces = usize::from(&*name != "half-space");
         let scene = scene(vec![body], Environment { background: Rgb::splat(0.75), ..Environment::default() });
@@ -465,4 +475,33 @@ fn an_eye_on_a_surface_is_outside() {
             assert_eq!(tree.color, Rgb::splat(0.75));
         }
     }
+}
+
+/// A capped cone is entered and left, through side and caps; an open one is a sheet, through which light goes straight
+/// on, also out of the side that is seen from within.
+#[test]
+fn a_capped_cone_encloses_a_medium_and_an_open_one_does_not() {
+    let ends = [DVec3::NEG_Y, DVec3::Y];
+    for (eye, target) in [
+        (DVec3::new(0.1, 9.0, 0.2), DVec3::new(0.2, 0.0, 0.1)),
+        (DVec3::new(9.0, 0.1, 0.2), DVec3::new(0.0, 0.1, 0.1)),
+        (DVec3::new(9.0, 9.0, 0.2), DVec3::new(0.0, 0.7, 0.1)),
+    ] {
+        for radii in [[1.0, 1.0], [1.5, 0.5], [1.0, 1.5]] {
+            let solid = scene(vec![object("cone", cone(ends, radii, true), glass(1.5))], Environment::default());
+            assert_eq!(crossings(&open(&solid, &pixel(eye, target))), [(1.0, 1.5), (1.5, 1.0)], "{eye} {radii:?}");
+            let sheet = scene(vec![object("cone", cone(ends, radii, false), glass(1.5))], Environment::default());
+            let tree = open(&sheet, &pixel(eye, target));
+            let nodes = &tree.samples[0].tree.nodes;
+            assert!(nodes.iter().all(|node| (node.ray.direction - nodes[0].ray.direction).length() < 1e-15));
+            assert!(crossings(&tree).iter().all(|crossing| *crossing == (1.0, 1.0)));
+        }
+    }
+    // an eye within a capped cone is in its medium, and within an open one in none
+    let inside = |capped| {
+        let scene = scene(vec![object("cone", cone(ends, [1.0, 0.5], capped), glass(1.5))], Environment::default());
+        crossings(&open(&scene, &pixel(DVec3::new(0.1, 0.2, 0.0), DVec3::new(5.0, 0.3, 0.0))))
+    };
+    assert_eq!(inside(true), [(1.5, 1.0)]);
+    assert_eq!(inside(false), [(1.0, 1.0)]);
 }

@@ -85,10 +85,20 @@ phrases! {
     sphere() { "sphere", "la sphère" }
     /// An infinite plane.
     plane() { "plane", "le plan" }
+    /// A cone and which part of it: its side or one of its caps.
+    object_face(element, name, face) { "{element} `{name}` ({face})", "{element} « {name} » ({face})" }
+    /// The curved side of a cone.
+    side() { "side", "flanc" }
+    /// The disc that closes a cone at its base.
+    base_cap() { "base", "base" }
+    /// The disc that closes a cone at its top.
+    top_cap() { "top", "sommet" }
     /// A facet alone.
     facet() { "facet", "la facette" }
     /// A cube.
     cube() { "cube", "le cube" }
+    /// A cone.
+    cone() { "cone", "le cône" }
     /// A box.
     parallelepiped() { "box", "la boîte" }
     /// A mesh.

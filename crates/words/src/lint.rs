@@ -169,13 +169,13 @@ phrases! {
         "in a closed mesh every edge has exactly two facets, which run along it in opposite directions",
         "dans un maillage fermé, chaque arête a exactement deux facettes, qui la parcourent en sens opposés",
     }
-    facet_glass(object) {
-        "the facet `{object}` is a sheet without thickness: its refraction index is not used",
-        "la facette « {object} » est une feuille sans épaisseur : son indice de réfraction ne sert pas",
+    sheet_glass(object) {
+        "`{object}` is a sheet without thickness: its refraction index is not used",
+        "« {object} » est une feuille sans épaisseur : son indice de réfraction ne sert pas",
     }
-    facet_glass_help() {
-        "for glass with thickness take a `<box>` or a closed `<mesh>`",
-        "pour un verre épais, prenez un « <box> » ou un « <mesh> » fermé",
+    sheet_glass_help() {
+        "for glass with thickness take a `<box>`, a capped `<cone>` or a closed `<mesh>`",
+        "pour un verre épais, prenez un « <box> », un « <cone> » aux bouts fermés ou un « <mesh> » fermé",
     }
     empty_mesh(object) {
         "the mesh `{object}` has no facets and is not seen",

@@ -153,6 +153,10 @@ phrases! {
         "cubes become a corner and three edges, without centre and rotation: {those}",
         "les cubes deviennent un coin et trois arêtes, sans centre ni rotation : {those}",
     }
+    loss_cone(those) {
+        "cones become facets, sixty-four around: {those}",
+        "les cônes deviennent des facettes, soixante-quatre par tour : {those}",
+    }
     loss_placement(those) {
         "facets are written where they stand, without position, rotation and scale: {those}",
         "les facettes sont écrites à leur place, sans position, rotation ni échelle : {those}",

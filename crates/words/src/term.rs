@@ -26,9 +26,14 @@ phrases! {
     cube() { "cube", "cube" }
     /// A parallelepiped, the `box` of the documents.
     parallelepiped() { "box", "boîte" }
+    cone() { "cone", "cône" }
     mesh() { "mesh", "maillage" }
     centre() { "centre", "centre" }
     edge() { "edge", "arête" }
+    /// The first circle of a cone.
+    base() { "base", "base" }
+    /// The second circle of a cone.
+    top() { "top", "sommet" }
     rotation() { "rotation", "rotation" }
     scale() { "scale", "échelle" }
     corner() { "corner", "coin" }

@@ -23,6 +23,10 @@ phrases! {
     compose_add() { "add: a + b, at most 1", "add : a + b, au plus 1" }
     closed() { "closed", "fermé" }
     closed_inwards() { "closed, facing inwards", "fermé, tourné vers l'intérieur" }
+    /// A cone whose ends discs close.
+    capped() { "capped", "fermé" }
+    /// A cone whose ends are open.
+    open() { "open", "ouvert" }
     sheet() { "not closed", "non fermé" }
     smooth() { "smooth normals", "normales lissées" }
     file_normals() { "smooth normals of the file", "normales lissées du fichier" }

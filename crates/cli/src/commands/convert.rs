@@ -7,7 +7,7 @@ use lancer_formats::load::{FolderOfDocument, LoadOptions};
 use lancer_formats::mesh::MeshFiles;
 use lancer_formats::n7_2009::{self, Loss, N7Problem};
 use lancer_formats::picture::{self, Format};
-use lancer_formats::{Diagnostic, Source, binary, save, xml};
+use lancer_formats::{Diagnostic, Source, binary, nff, save, xml};
 use lancer_scene::{Mesh, Object, Scene, Shape};
 use lancer_words::Lang;
 use lancer_words::cli::help;
@@ -67,7 +67,11 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         }
         Wanted::Document(form) => form,
     };
-    let document = documents::read(input, &options)?;
+    let mut document = documents::read(input, &options)?;
+    if output.to_string_lossy().ends_with(".view.xml") && nff::is_nff(document.source.text.as_bytes()) {
+        // one file is scene and views: the output's name says which of them is meant
+        document = documents::read_views(input, &options)?;
+    }
     let (bytes, losses) = match (document.accepted(&console)?, form) {
         (Content::Scene(scene), Form::Xml) => {
             (xml::write_scene(&with_files_of(output, &scene, options)).into_bytes(), Vec::new())
@@ -133,7 +137,8 @@ fn with_files_of(output: &Path, scene: &Scene, options: LoadOptions) -> Scene {
         | Shape::Plane { .. }
         | Shape::Facet { .. }
         | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. } => Arc::clone(object),
+        | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. } => Arc::clone(object),
     });
     Scene { objects: objects.collect(), ..scene.clone() }
 }

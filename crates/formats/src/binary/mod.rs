@@ -11,19 +11,20 @@
 //! | 24.. | the body |
 //!
 //! The frame is the same in every version, so damage is told from a newer version. The body of version 1 is a CBOR item
-//! (RFC 8949) for the structure and, behind it, the arrays of the meshes as they lie in memory (`v1/`). The structs of a
-//! version are its own and never change: its files stay readable however the model grows.
+//! (RFC 8949) for the structure and, behind it, the arrays of the meshes as they lie in memory (`v1/`); version 2 adds
+//! the cone (`v2/`). The structs of a version never change: its files stay readable however the model grows.
 
 mod frame;
 mod problem;
 mod v1;
+mod v2;
 
 use lancer_scene::Scene;
 
 pub use problem::BinaryProblem;
 
 /// The version that [`write_scene`] writes.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Whether a file is a binary scene by its first bytes, also one that a transfer as text has damaged.
 pub fn is_binary(bytes: &[u8]) -> bool {
@@ -33,7 +34,7 @@ pub fn is_binary(bytes: &[u8]) -> bool {
 /// The scene as the bytes of a file.
 pub fn write_scene(scene: &Scene) -> Vec<u8> {
     let mut file = frame::begin(VERSION);
-    v1::write(scene, &mut file);
+    v2::write(scene, &mut file);
     frame::seal(&mut file);
     file
 }
@@ -45,7 +46,8 @@ pub fn write_scene(scene: &Scene) -> Vec<u8> {
 pub fn read_scene(bytes: &[u8]) -> Result<Scene, BinaryProblem> {
     let (version, body) = frame::open(bytes)?;
     let scene = match version {
-        1 => v1::read(body)?,
+        1 => v1::read::<v1::Shape>(body)?,
+        2 => v1::read::<v2::Shape>(body)?,
         found => return Err(BinaryProblem::UnknownVersion { found }),
     };
     scene.check().map_err(|(name, rule)| BinaryProblem::Invalid { name, rule })?;

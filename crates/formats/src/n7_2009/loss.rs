@@ -57,6 +57,8 @@ pub enum Feature {
     Dispersion,
     /// A cube's centre, edge and rotation.
     Cube,
+    /// A cone's roundness.
+    Cone,
     /// A mesh's position, rotation and scale.
     Placement,
     /// A mesh's file.
@@ -111,6 +113,7 @@ impl Feature {
             Feature::Shininess => words::loss_shininess(lang, those),
             Feature::Dispersion => words::loss_dispersion(lang, those),
             Feature::Cube => words::loss_cube(lang, those),
+            Feature::Cone => words::loss_cone(lang, those),
             Feature::Placement => words::loss_placement(lang, those),
             Feature::File => words::loss_file(lang, those),
             Feature::Smooth => words::loss_smooth(lang, those),

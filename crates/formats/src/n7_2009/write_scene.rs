@@ -5,7 +5,7 @@ use super::writer::{Writer, colour, point};
 use super::{DEPTH, Feature, Loss, UNIT, lone_facet};
 use crate::xml::{AutomaticNames, shortest};
 use lancer_scene::{
-    Compose, DVec3, Highlight, MaterialRef, Mesh, Name, Object, Reflectance, Rgb, Scene, Shape, Surface,
+    Compose, DVec3, Highlight, MaterialRef, Mesh, Name, Object, Reflectance, Rgb, Scene, Shape, Surface, cone_facets,
 };
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -111,6 +111,7 @@ fn lost_of_surface(surface: &Surface, owner: &Name, losses: &mut Losses) {
 fn lost_of_shape(object: &Object, losses: &mut Losses) {
     match &object.shape {
         Shape::Cube { .. } => losses.of(Feature::Cube, &object.name),
+        Shape::Cone { .. } => losses.of(Feature::Cone, &object.name),
         Shape::Mesh(mesh) => {
             let lost = [
                 (mesh.placement != Default::default(), Feature::Placement),
@@ -123,6 +124,9 @@ fn lost_of_shape(object: &Object, losses: &mut Losses) {
         Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } => {}
     }
 }
+
+/// How many facets go around a cone.
+const CONE_FACETS: u32 = 64;
 
 /// A shape in the terms of the format.
 enum Piece {
@@ -142,6 +146,10 @@ fn pieces(object: &Object) -> Vec<(MaterialRef, Piece)> {
         Shape::Cube { .. } | Shape::Parallelepiped { .. } => {
             let frame = object.shape.frame();
             frame.map(|(corner, edges)| (material(), Piece::Cube { corner, edges })).into_iter().collect()
+        }
+        Shape::Cone { base, top, base_radius, top_radius, capped } => {
+            let facets = cone_facets([*base, *top], [*base_radius, *top_radius], *capped, CONE_FACETS);
+            vec![(material(), Piece::Facets(facets))]
         }
         Shape::Mesh(mesh) => {
             let runs = runs(mesh, &object.material);

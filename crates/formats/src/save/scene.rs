@@ -115,7 +115,8 @@ fn with_meshes_found(scene: &Scene, path: &Path, origin: Option<&Path>, options:
         | Shape::Plane { .. }
         | Shape::Facet { .. }
         | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. } => Arc::clone(object),
+        | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. } => Arc::clone(object),
     };
     Scene { objects: scene.objects.iter().map(&mut found).collect(), ..scene.clone() }
 }

@@ -56,6 +56,7 @@ fn shape(shape: &Shape, lang: Lang) -> String {
         Shape::Facet { .. } => term::facet(lang),
         Shape::Cube { .. } => term::cube(lang),
         Shape::Parallelepiped { .. } => term::parallelepiped(lang),
+        Shape::Cone { .. } => term::cone(lang),
         Shape::Mesh(_) => term::mesh(lang),
     }
 }
@@ -68,16 +69,17 @@ fn kind(shape: &Shape) -> usize {
         Shape::Facet { .. } => 2,
         Shape::Cube { .. } => 3,
         Shape::Parallelepiped { .. } => 4,
-        Shape::Mesh(_) => 5,
+        Shape::Cone { .. } => 5,
+        Shape::Mesh(_) => 6,
     }
 }
 
 /// The lines of geometry of all objects of each kind, in document order, within a width if that can be.
-fn geometry_lines(scene: &Scene, lang: Lang, width: usize) -> [std::vec::IntoIter<Vec<String>>; 6] {
+fn geometry_lines(scene: &Scene, lang: Lang, width: usize) -> [std::vec::IntoIter<Vec<String>>; 7] {
     let turned = |object: &Arc<Object>| matches!(object.shape, Shape::Cube { rotation, .. } if rotation != DVec3::ZERO);
     let some_cube_turned = scene.objects.iter().any(turned);
     let mut enclosures = HashMap::new();
-    let mut fields: [Vec<Vec<Field>>; 6] = Default::default();
+    let mut fields: [Vec<Vec<Field>>; 7] = Default::default();
     for object in &scene.objects {
         let of_object = match &object.shape {
             Shape::Sphere { center, radius } => vec![point("C", *center), length("R", *radius)],
@@ -90,6 +92,16 @@ fn geometry_lines(scene: &Scene, lang: Lang, width: usize) -> [std::vec::IntoIte
             }
             Shape::Parallelepiped { origin, edges: [u, v, w] } => {
                 vec![point(&term::corner(lang), *origin), point("u", *u), point("v", *v), point("w", *w)]
+            }
+            Shape::Cone { base, top, base_radius, top_radius, capped } => {
+                let ends = if *capped { words::capped(lang) } else { words::open(lang) };
+                vec![
+                    point(&term::base(lang), *base),
+                    length("R", *base_radius),
+                    point(&term::top(lang), *top),
+                    length("R", *top_radius),
+                    [Cell::Text(ends), Cell::Blank, Cell::Blank, Cell::Blank],
+                ]
             }
             Shape::Mesh(mesh) => {
                 let geometry = &mesh.geometry;

@@ -196,6 +196,8 @@ impl<'d> Fields<'d> {
                 .zip(self.span("p2"))
                 .map(|(first, last)| Span { start: first.start.min(last.start), end: first.end.max(last.end) }),
             Invalid::Coplanar => self.span("u"),
+            Invalid::ConeFlat => self.span("top"),
+            Invalid::ConeThin => self.span("top-radius"),
             Invalid::ScaleZero => self.span("scale"),
             Invalid::BadName | Invalid::NameTaken { .. } => self.span("name"),
             Invalid::UnknownMaterial { .. } => self.span("material"),

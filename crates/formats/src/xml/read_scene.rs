@@ -280,6 +280,13 @@ fn simple_shape(fields: &Fields<'_>, rule: &'static ElementRule, sink: &mut Sink
             let (center, edge) = (fields.point("center")?, fields.number("edge")?);
             Shape::Cube { center, edge, rotation: fields.point("rotation")? }
         }
+        "cone" => Shape::Cone {
+            base: fields.point("base")?,
+            top: fields.point("top")?,
+            base_radius: fields.number("base-radius")?,
+            top_radius: fields.number("top-radius")?,
+            capped: fields.flag("capped")?,
+        },
         _ => {
             let edges = [fields.point("u")?, fields.point("v")?, fields.point("w")?];
             Shape::Parallelepiped { origin: fields.point("origin")?, edges }

@@ -23,6 +23,8 @@ pub(super) fn told(rule: &Invalid, lang: Lang) -> (&'static str, Report) {
         }
         Invalid::Collinear => ("rule::collinear", words::collinear(lang)),
         Invalid::Coplanar => ("rule::coplanar", words::coplanar(lang)),
+        Invalid::ConeFlat => ("rule::cone-flat", words::cone_flat(lang)),
+        Invalid::ConeThin => ("rule::cone-thin", words::cone_thin(lang)),
         Invalid::ScaleZero => ("rule::scale-zero", words::scale_zero(lang)),
         Invalid::FacetVertex { facet, vertex, vertices } => {
             let count = number::vertices(lang, *vertices);

@@ -1,7 +1,7 @@
 //! The attributes that the model's parts have in a document: what the readers do, the other way round.
 
 use super::kind::Value;
-use super::vocabulary::{AttributeRule, BOX, CUBE, ElementRule, FACET, MESH, PLANE, Presence, SPHERE};
+use super::vocabulary::{AttributeRule, BOX, CONE, CUBE, ElementRule, FACET, MESH, PLANE, Presence, SPHERE};
 use lancer_scene::{
     DVec3, Environment, Material, MaterialRef, Object, Part, PointLight, Rgb, Scene, ScreenSpec, Shape, Surface, View,
 };
@@ -17,6 +17,7 @@ pub(super) fn shape_rule(shape: &Shape) -> &'static ElementRule {
         Shape::Facet { .. } => &FACET,
         Shape::Cube { .. } => &CUBE,
         Shape::Parallelepiped { .. } => &BOX,
+        Shape::Cone { .. } => &CONE,
         Shape::Mesh(_) => &MESH,
     }
 }
@@ -91,6 +92,13 @@ pub(super) fn object(object: &Object) -> Values<'_> {
         Shape::Parallelepiped { origin, edges: [u, v, w] } => {
             values.extend([("origin", point(*origin)), ("u", point(*u)), ("v", point(*v)), ("w", point(*w))]);
         }
+        Shape::Cone { base, top, base_radius, top_radius, capped } => values.extend([
+            ("base", point(*base)),
+            ("top", point(*top)),
+            ("base-radius", Value::Number(*base_radius)),
+            ("top-radius", Value::Number(*top_radius)),
+            ("capped", flag(*capped)),
+        ]),
         Shape::Mesh(mesh) => {
             values.extend(mesh.source.as_deref().map(|source| ("src", text(source))));
             values.extend([

@@ -137,6 +137,9 @@ const HIGHLIGHTS: &[&str] = &[Highlight::Phong.word(), Highlight::Blinn.word()];
 /// More than 0, so far as a length is told from 0.
 const POSITIVE: Kind = Kind::Channels(limits::LEAST, limits::COORDINATE);
 
+/// A radius that may be 0.
+const RADIUS: Kind = Kind::Number(0.0, limits::COORDINATE);
+
 const fn attribute(
     name: &'static str,
     term: &'static str,
@@ -199,6 +202,7 @@ pub static SCENE: ElementRule = ElementRule {
         any(&PLANE),
         any(&CUBE),
         any(&BOX),
+        any(&CONE),
         any(&FACET),
         any(&MESH),
     ],
@@ -330,6 +334,24 @@ pub static FACET: ElementRule = ElementRule {
     sentence: words::facet,
 };
 
+/// `cone`.
+pub static CONE: ElementRule = ElementRule {
+    name: "cone",
+    attributes: &[
+        OBJECT_NAME,
+        required("base", "", Kind::Point, "0 0 0", words::cone_base),
+        required("top", "", Kind::Point, "0 1 0", words::cone_top),
+        required("base-radius", "", RADIUS, "0.5", words::base_radius),
+        required("top-radius", "", RADIUS, "0", words::top_radius),
+        default("capped", "", FLAG, "true", words::capped),
+        OBJECT_MATERIAL,
+        VISIBLE,
+    ],
+    children: INLINE_MATERIAL,
+    text: TextRule::Nothing,
+    sentence: words::cone,
+};
+
 /// `mesh`.
 pub static MESH: ElementRule = ElementRule {
     name: "mesh",
@@ -446,9 +468,9 @@ pub static SCREEN: ElementRule = ElementRule {
 };
 
 /// Every element, each after those that hold it.
-pub static ELEMENTS: [&ElementRule; 18] = [
-    &SCENE, &WORLD, &MATERIAL, &LIGHT, &SPHERE, &PLANE, &CUBE, &BOX, &FACET, &MESH, &VERTICES, &NORMALS, &FACETS,
-    &PART, &VIEWS, &VIEW, &EYE, &SCREEN,
+pub static ELEMENTS: [&ElementRule; 19] = [
+    &SCENE, &WORLD, &MATERIAL, &LIGHT, &SPHERE, &PLANE, &CUBE, &BOX, &CONE, &FACET, &MESH, &VERTICES, &NORMALS,
+    &FACETS, &PART, &VIEWS, &VIEW, &EYE, &SCREEN,
 ];
 
 impl ElementRule {

@@ -101,6 +101,7 @@ pub(super) fn write_object(out: &mut String, indent: &str, object: &Object, colu
         | Shape::Facet { .. }
         | Shape::Cube { .. }
         | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. }
         | Shape::Mesh(_) => None,
     };
     if inline_mesh.is_none() && !is_inline(&object.material) {

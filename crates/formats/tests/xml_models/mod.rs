@@ -129,6 +129,9 @@ pub(crate) fn shape() -> BoxedStrategy<Shape> {
             rotation
         }),
         (point(), [point(), point(), point()]).prop_map(|(origin, edges)| Shape::Parallelepiped { origin, edges }),
+        (point(), point(), number(0.0, 100.0), length(), any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| Shape::Cone { base, top, base_radius, top_radius, capped }
+        ),
         mesh,
     ]
     .prop_filter("a rule", |shape| shape.check().is_ok())

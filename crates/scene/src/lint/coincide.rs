@@ -6,11 +6,13 @@
 
 use super::Finding;
 use super::scenery::{Halves, Scenery, Visible};
-use crate::{DVec3, Enclosure, Shape};
+use crate::{DVec3, Enclosure, Shape, circle};
 use std::collections::{BTreeSet, HashSet};
 
 /// Larger meshes are compared as a whole only.
 const MESH_FACETS: usize = 512;
+/// Discs are taken for polygons of so many corners.
+const DISC_CORNERS: u32 = 32;
 /// When so many pairs are known, no more are looked for.
 const PAIRS: usize = 100;
 /// How far apart faces may be, in proportion to their coordinates, and still be in one place by rounding.
@@ -59,6 +61,7 @@ enum Body {
 pub(super) fn coincident_faces(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
     let mut pairs = BTreeSet::new();
     equal_spheres(scenery, &mut pairs);
+    equal_cones(scenery, &mut pairs);
     equal_meshes(scenery, &mut pairs);
     equal_planes(scenery, &mut pairs);
     for (first, second) in pairs.into_iter().take(PAIRS) {
@@ -77,6 +80,22 @@ fn equal_spheres(scenery: &Scenery<'_>, pairs: &mut BTreeSet<(usize, usize)>) {
         }
     }
     pair_equals(spheres, pairs);
+}
+
+/// Cones with the same two circles, whichever of them comes first.
+fn equal_cones(scenery: &Scenery<'_>, pairs: &mut BTreeSet<(usize, usize)>) {
+    let mut cones: Vec<([[u64; 4]; 2], usize)> = Vec::new();
+    for (number, visible) in scenery.visible.iter().enumerate() {
+        if let Shape::Cone { base, top, base_radius, top_radius, .. } = visible.object.shape {
+            let circle = |center: DVec3, radius: f64| {
+                [center.x, center.y, center.z, radius].map(|number| (number + 0.0).to_bits())
+            };
+            let mut circles = [circle(base, base_radius), circle(top, top_radius)];
+            circles.sort_unstable();
+            cones.push((circles, number));
+        }
+    }
+    pair_equals(cones, pairs);
 }
 
 /// Meshes of one geometry in one placement, whatever their size.
@@ -232,6 +251,15 @@ fn push_faces(object: usize, visible: &Visible<'_>, faces: &mut Vec<Face>) {
                 }
             }
         }
+        Shape::Cone { base, top, base_radius, top_radius, capped: true } => {
+            let axis = *top - *base;
+            for (center, radius, normal) in [(*base, *base_radius, -axis), (*top, *top_radius, axis)] {
+                if radius > 0.0 {
+                    push(Body::Volume, normal, circle(center, axis, radius, DISC_CORNERS), center);
+                }
+            }
+        }
+        Shape::Cone { capped: false, .. } => {}
         Shape::Mesh(mesh) => {
             let geometry = &mesh.geometry;
             if geometry.facets.len() > MESH_FACETS {

@@ -55,12 +55,13 @@ pub(super) fn open_glass(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
     }
 }
 
-/// A facet is a sheet, too: its refraction index counts for nothing. A plain pane of the world's index is as expected.
-pub(super) fn facet_glass(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
+/// A facet and an open cone are sheets, too: their refraction index counts for nothing. A plain pane of the world's index is as expected.
+pub(super) fn sheet_glass(scenery: &Scenery<'_>, findings: &mut Vec<Finding>) {
     for visible in scenery.visible.iter().filter(|visible| visible.is_transparent()) {
         let refracts = visible.surfaces.iter().any(|surface| surface.index != scenery.scene.world.index);
-        if matches!(visible.object.shape, Shape::Facet { .. }) && refracts {
-            findings.push(Finding::FacetGlass { object: visible.object.name.clone() });
+        let sheet = matches!(visible.object.shape, Shape::Facet { .. } | Shape::Cone { capped: false, .. });
+        if sheet && refracts {
+            findings.push(Finding::SheetGlass { object: visible.object.name.clone() });
         }
     }
 }

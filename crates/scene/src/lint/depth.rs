@@ -34,6 +34,7 @@ pub(super) fn depth_too_small(scenery: &Scenery<'_>, findings: &mut Vec<Finding>
         if visible.is_transparent() {
             let volume = match &visible.object.shape {
                 Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Parallelepiped { .. } => true,
+                Shape::Cone { capped, .. } => *capped,
                 Shape::Plane { .. } | Shape::Facet { .. } => false,
                 Shape::Mesh(mesh) => scenery.enclosure(&mesh.geometry) != Enclosure::Sheet,
             };

@@ -24,8 +24,16 @@ impl Scenery<'_> {
                         along.to_array().into_iter().all(|share| share > 1e-9 && share < 1.0 - 1e-9)
                     })
             }
+            Shape::Cone { base, top, base_radius, top_radius, capped: true } => {
+                let axis = *top - *base;
+                let along = (point - *base).dot(axis) / axis.length_squared();
+                let beside = (point - *base - axis * along).length();
+                let radius = base_radius + (top_radius - base_radius) * along;
+                let (least, greatest) = (1e-9, 1.0 - 1e-9);
+                self.afford(1) && along > least && along < greatest && beside < radius * greatest
+            }
             Shape::Mesh(mesh) => self.mesh_encloses(mesh, point),
-            Shape::Plane { .. } | Shape::Facet { .. } => false,
+            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Cone { capped: false, .. } => false,
         }
     }
 

@@ -144,7 +144,7 @@ pub enum Finding {
         object: Name,
     },
     /// A lone facet has a refraction index of its own, which a sheet without thickness never shows.
-    FacetGlass {
+    SheetGlass {
         /// The facet.
         object: Name,
     },
@@ -229,7 +229,7 @@ impl Finding {
             }
             Finding::HiddenBehindPlane { plane, object, .. } => vec![(ObjectOrLight, object), (ObjectOrLight, plane)],
             Finding::CoincidentFaces { first, second } => vec![(ObjectOrLight, first), (ObjectOrLight, second)],
-            Finding::OpenGlass { object } | Finding::FacetGlass { object } | Finding::EmptyMesh { object } => {
+            Finding::OpenGlass { object } | Finding::SheetGlass { object } | Finding::EmptyMesh { object } => {
                 vec![(ObjectOrLight, object)]
             }
             Finding::UnusedMaterial { material } => vec![(Material, material)],
@@ -245,7 +245,7 @@ impl Finding {
         match self {
             Finding::EyeInGlass { .. }
             | Finding::EyeBehindGlassPlane { .. }
-            | Finding::FacetGlass { .. }
+            | Finding::SheetGlass { .. }
             | Finding::FacingMirrors { .. }
             | Finding::UnusedMaterial { .. }
             | Finding::WorldIndexBelowOne { .. }
@@ -292,7 +292,7 @@ pub fn lint(scene: &Scene, views: &[Arc<View>]) -> Vec<Finding> {
         contents::hidden_behind_plane,
         coincide::coincident_faces,
         contents::open_glass,
-        contents::facet_glass,
+        contents::sheet_glass,
         material::index_below_one,
         material::always_white,
         material::unused_material,

@@ -60,6 +60,7 @@ impl Halves {
             | Shape::Facet { .. }
             | Shape::Cube { .. }
             | Shape::Parallelepiped { .. }
+            | Shape::Cone { .. }
             | Shape::Mesh(_) => None,
         }
     }
@@ -163,6 +164,17 @@ impl<'a> Scenery<'a> {
             Shape::Facet { p0, p1, p2 } => Some(hull(&[*p0, *p1, *p2])),
             Shape::Cube { .. } | Shape::Parallelepiped { .. } => {
                 shape.frame().map(|(origin, edges)| hull(&super::inside::corners(origin, edges)))
+            }
+            Shape::Cone { base, top, base_radius, top_radius, .. } => {
+                // a circle reaches its radius times the sine of the angle between its axis and the direction
+                let axis = (*top - *base).normalize_or_zero();
+                let sine = axis.cross(direction).length();
+                let ends = [(*base, base_radius * sine), (*top, top_radius * sine)];
+                let least =
+                    ends.iter().map(|(center, reach)| center.dot(direction) - reach).fold(f64::INFINITY, f64::min);
+                let greatest =
+                    ends.iter().map(|(center, reach)| center.dot(direction) + reach).fold(f64::NEG_INFINITY, f64::max);
+                Some((least, greatest, (base.length() + base_radius).max(top.length() + top_radius)))
             }
             Shape::Mesh(mesh) => {
                 let (low, high) = self.bounds_before_placement(mesh)?;

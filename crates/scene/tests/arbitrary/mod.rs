@@ -180,6 +180,9 @@ pub(crate) fn shape(geometries: Vec<Arc<MeshGeometry>>, extent: Extent) -> impl 
         (near(), near(), near()).prop_map(|(p0, p1, p2)| Shape::Facet { p0, p1, p2 }),
         (point(), length(), point()).prop_map(|(center, edge, rotation)| Shape::Cube { center, edge, rotation }),
         (point(), [near(), near(), near()]).prop_map(|(origin, edges)| Shape::Parallelepiped { origin, edges }),
+        (near(), near(), number(0.0, 1e9), length(), any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| Shape::Cone { base, top, base_radius, top_radius, capped }
+        ),
         mesh,
     ]
     .prop_filter("a degenerate figure", |shape| shape.check().is_ok())

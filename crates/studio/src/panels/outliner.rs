@@ -168,6 +168,7 @@ pub(crate) fn object_menu(ui: &mut Ui, context: &Context<'_>, actions: &mut Vec<
         (Kind::Plane, words::plane(lang), NewItem::Plane),
         (Kind::Cube, words::cube(lang), NewItem::Cube),
         (Kind::Parallelepiped, words::parallelepiped(lang), NewItem::Parallelepiped),
+        (Kind::Cone, words::cone(lang), NewItem::Cone),
         (Kind::Facet, words::facet(lang), NewItem::Facet),
     ];
     for (kind, name, item) in kinds {
@@ -211,6 +212,7 @@ fn icon(stage: &Stage, item: &Item) -> MaterialIcon {
             Some(Shape::Facet { .. }) => Kind::Facet.icon(),
             Some(Shape::Cube { .. }) => Kind::Cube.icon(),
             Some(Shape::Parallelepiped { .. }) => Kind::Parallelepiped.icon(),
+            Some(Shape::Cone { .. }) => Kind::Cone.icon(),
             Some(Shape::Mesh(_)) => Kind::Mesh.icon(),
         },
     }

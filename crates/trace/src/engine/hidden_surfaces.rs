@@ -1,5 +1,6 @@
 //! The nearest hits of a block of rays (subject §1.1).
 
+use super::cone::NearestOnCone;
 use super::dispatch::{Backend, Step};
 use super::facets_nearest::OnFacets;
 use super::few::{Aimed, Start};
@@ -17,7 +18,7 @@ pub(super) const UPWARDS: f32 = 1.0 + 1.0 / 4_194_304.0;
 /// Finds what every ray meets first, leaving out the surface that it starts on.
 pub(super) struct Nearest<'s, B: Backend> {
     pub(super) world: &'s World,
-    /// The spheres and planes that primary rays start on.
+    /// The spheres, planes and cones that primary rays start on.
     pub(super) eye_lies_on: &'s [u32],
     pub(super) block: &'s Block<B>,
     /// One for each packet.
@@ -100,6 +101,11 @@ fn try_body<L: Backend>(
         Geometry::Facets(facets) => {
             if *rays != [0; PACKETS] {
                 L::enter(OnFacets { facets, body: number, block, hits, rays });
+            }
+        }
+        Geometry::Cone(cone) => {
+            if *rays != [0; PACKETS] {
+                L::enter(NearestOnCone { cone, body: number, eye_lies_on, block, hits, rays });
             }
         }
         // planes have no bounds

@@ -38,6 +38,7 @@ impl<W: Borrow<World>> Engine<W> {
             .filter(|(_, body)| match &body.geometry {
                 Geometry::Sphere { center, radius } => lies_on_sphere(eye, *center, *radius),
                 Geometry::Plane { p0, p1, p2, .. } => lies_in_plane(eye, *p0, *p1, *p2),
+                Geometry::Cone(cone) => cone.lies_on(eye),
                 // of facets each is asked when it is hit
                 Geometry::Facets(_) => false,
             })

@@ -15,6 +15,7 @@
 mod blocking_alone;
 mod bounce;
 mod caster;
+mod cone;
 mod dispatch;
 mod facet_filter;
 mod facets_alone;

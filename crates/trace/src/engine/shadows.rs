@@ -3,6 +3,7 @@
 //! Boxes are culled for rays from the lamp: they have their start in common, so a beam of them is narrow where it begins.
 //! What is left is decided for the rays from the points, as the reference does.
 
+use super::cone::BlockedByCone;
 use super::dispatch::{Backend, Step};
 use super::facets_blocking::OnFacets;
 use super::few::{Aimed, Hull, Start};
@@ -143,6 +144,11 @@ fn try_body<L: Backend>(
         Geometry::Facets(facets) => {
             if *asked != [0; PACKETS] {
                 L::enter(OnFacets { facets, body: number, lamp, rays, blocked, asked });
+            }
+        }
+        Geometry::Cone(cone) => {
+            if *asked != [0; PACKETS] {
+                L::enter(BlockedByCone { cone, body: number, lamp, rays, blocked, asked });
             }
         }
         // planes have no bounds

@@ -1,5 +1,7 @@
 //! The points that rays see: places on the primitives, normals, surfaces (`reference`'s, over lanes).
 
+use super::cone::PointsOnCone;
+use super::dispatch::Backend;
 use super::lanes::{Lanes, Mask, Real};
 use super::packet::{Hits, Packet};
 use super::vector::{Vector, lanes, mask, put_value};
@@ -25,7 +27,7 @@ pub(super) struct Points<L: Lanes> {
     pub(super) leaves: u8,
 }
 
-impl<L: Lanes> Points<L> {
+impl<L: Backend> Points<L> {
     /// No points.
     #[inline(always)]
     pub(super) fn none() -> Points<L> {
@@ -59,6 +61,12 @@ impl<L: Lanes> Points<L> {
                 Geometry::Plane { p0, normal, .. } => {
                     let normal = Vector::splat(*normal);
                     (seen - normal * normal.dot(seen - Vector::splat(*p0)), normal)
+                }
+                Geometry::Cone(cone) => {
+                    let (mut point, mut normal) = (seen, seen);
+                    let faces = &hits.facet;
+                    L::enter(PointsOnCone { cone, seen, faces, point: &mut point, normal: &mut normal });
+                    (point, normal)
                 }
                 Geometry::Facets(facets) => {
                     let first = hits.facet[group.trailing_zeros() as usize];

@@ -1,7 +1,7 @@
 //! Hidden surfaces and shadows (subject §1.1, §1.2): the nearest hit along a ray, and whether anything stands between
 //! a point and a lamp.
 
-use super::intersect::{Start, intersect_facet, intersect_plane, intersect_sphere};
+use super::intersect::{Start, intersect_cone, intersect_facet, intersect_plane, intersect_sphere};
 use crate::Ray;
 use crate::bvh::Sight;
 use crate::precision::{lies_in_plane, lies_on_sphere};
@@ -13,9 +13,9 @@ use glam::DVec3;
 pub(crate) struct Hit {
     pub(crate) t: f64,
     pub(crate) body: u32,
-    /// The facet's number; 0 for a sphere and a plane.
+    /// The facet's number; 0 for a sphere and a plane, of a cone the number of its face.
     pub(crate) facet: u32,
-    /// The shares of `P0P1` and `P0P2`; 0 for a sphere and a plane.
+    /// The shares of `P0P1` and `P0P2`; 0 for what has no facets.
     pub(crate) alpha: f64,
     pub(crate) beta: f64,
 }
@@ -64,6 +64,7 @@ impl World {
                 lies_on_sphere(lamp, *center, *radius) && distance - hit.t <= ray.direction.dot(*center - lamp).abs()
             }
             Geometry::Plane { p0, p1, p2, .. } => lies_in_plane(lamp, *p0, *p1, *p2),
+            Geometry::Cone(cone) => cone.lies_on(lamp) && cone.is_at_lamp(ray, hit.t, distance),
             Geometry::Facets(facets) => {
                 let [p0, p1, p2] = facets.corners(hit.facet);
                 lies_in_plane(lamp, p0, p1, p2)
@@ -100,6 +101,7 @@ fn may_start_on(body: &Body, eye: DVec3) -> bool {
     match &body.geometry {
         Geometry::Sphere { center, radius } => lies_on_sphere(eye, *center, *radius),
         Geometry::Plane { p0, p1, p2, .. } => lies_in_plane(eye, *p0, *p1, *p2),
+        Geometry::Cone(cone) => cone.lies_on(eye),
         Geometry::Facets(_) => true,
     }
 }
@@ -118,6 +120,11 @@ fn visit_body(
         Geometry::Sphere { center, radius } => {
             let start = if starts_here { Start::OnSurface } else { Start::Elsewhere };
             intersect_sphere(ray, *center, *radius, start).map_or(limit, |t| found(smooth_hit(t)))
+        }
+        Geometry::Cone(cone) => {
+            let start = if starts_here { Start::OnSurface } else { Start::Elsewhere };
+            let hit = intersect_cone(ray, cone, start);
+            hit.map_or(limit, |(t, face)| found(Hit { facet: face.number(), ..smooth_hit(t) }))
         }
         Geometry::Plane { .. } if starts_here => limit,
         Geometry::Plane { p0, p1, p2, .. } => {

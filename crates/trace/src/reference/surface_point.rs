@@ -1,6 +1,7 @@
 //! The point that a ray sees: its place on the primitive, its normals, its surface.
 
 use super::hidden_surfaces::Hit;
+use super::intersect::ConeFace;
 use crate::Ray;
 use crate::world::{Extent, Geometry, World};
 use glam::DVec3;
@@ -42,6 +43,10 @@ impl World {
                 (*center + normal * *radius, normal, None, None)
             }
             Geometry::Plane { p0, normal, .. } => (seen - *normal * normal.dot(seen - *p0), *normal, None, None),
+            Geometry::Cone(cone) => {
+                let (point, normal) = cone.surface_point(seen, ConeFace::of(hit.facet));
+                (point, normal, None, None)
+            }
             Geometry::Facets(facets) => {
                 let [p0, p1, p2] = facets.corners(hit.facet);
                 let smooth = facets.normals(hit.facet).and_then(|[n0, n1, n2]| {

@@ -6,6 +6,7 @@ use super::packs::Packs;
 use super::surfaces::Surfaces;
 use crate::bvh::Bounds;
 use crate::precision::{lies_in_plane, lies_on_sphere};
+use crate::reference::intersect::Cone;
 use glam::DVec3;
 use lancer_scene::{Enclosure, Name, Object, Shape, box_facets};
 
@@ -22,12 +23,13 @@ pub(crate) struct Body {
     pub(crate) extent: Extent,
 }
 
-/// The three kinds of geometry that rays are tried against.
+/// The kinds of geometry that rays are tried against.
 #[derive(Clone, Debug)]
 pub(crate) enum Geometry {
     Sphere { center: DVec3, radius: f64 },
     Plane { p0: DVec3, p1: DVec3, p2: DVec3, normal: DVec3 },
     Facets(Facets),
+    Cone(Cone),
 }
 
 /// What an object encloses (SPEC §1, media).
@@ -55,6 +57,9 @@ impl Geometry {
                 let facets = shape.frame().map(|(origin, edges)| box_facets(origin, edges));
                 Geometry::Facets(Facets::separate(facets.as_ref().map_or(&[], |facets| facets)))
             }
+            Shape::Cone { base, top, base_radius, top_radius, capped } => {
+                Geometry::Cone(Cone::new([*base, *top], [*base_radius, *top_radius], *capped))
+            }
             Shape::Mesh(mesh) => Geometry::Facets(Facets::of_mesh(mesh, packs)),
         }
     }
@@ -67,6 +72,10 @@ impl Geometry {
             }
             Geometry::Plane { .. } => None,
             Geometry::Facets(facets) => facets.bounds().map(Bounds::widened),
+            Geometry::Cone(cone) => {
+                let (low, high) = cone.bounds();
+                Some(Bounds { low, high }.widened())
+            }
         }
     }
 }
@@ -90,10 +99,15 @@ impl Body {
                 (Geometry::Facets(facets), medium, extent)
             }
             (geometry, Shape::Plane { .. }) => (geometry, own, Extent::HalfSpace),
-            (geometry, Shape::Facet { .. }) => (geometry, own, Extent::Sheet),
-            (geometry, Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Parallelepiped { .. } | Shape::Mesh(_)) => {
-                (geometry, own, solid)
-            }
+            (geometry, Shape::Facet { .. } | Shape::Cone { capped: false, .. }) => (geometry, own, Extent::Sheet),
+            (
+                geometry,
+                Shape::Sphere { .. }
+                | Shape::Cube { .. }
+                | Shape::Parallelepiped { .. }
+                | Shape::Cone { capped: true, .. }
+                | Shape::Mesh(_),
+            ) => (geometry, own, solid),
         };
         Body { name: object.name.clone(), geometry, surface, medium, extent }
     }
@@ -108,6 +122,7 @@ impl Body {
             (Geometry::Plane { p0, p1, p2, normal }, _) => {
                 normal.dot(point - *p0) < 0.0 && !lies_in_plane(point, *p0, *p1, *p2)
             }
+            (Geometry::Cone(cone), _) => cone.contains(point),
             (Geometry::Facets(facets), _) => {
                 facets.bounds().is_some_and(|bounds| bounds.contains(point)) && contains::closed(facets, point)
             }

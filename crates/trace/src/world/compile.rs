@@ -48,7 +48,8 @@ impl World {
             | Shape::Plane { .. }
             | Shape::Facet { .. }
             | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. } => None,
+            | Shape::Parallelepiped { .. }
+            | Shape::Cone { .. } => None,
         }));
         let before = Before::of(self, &objects);
         let geometry = |(place, object): (usize, &&Arc<Object>)| match before.body(place, object) {
@@ -73,7 +74,7 @@ impl World {
     pub(crate) fn packs_in_use(&self) -> Vec<&Packed> {
         let facets = self.bodies.iter().filter_map(|body| match &body.geometry {
             Geometry::Facets(facets) => Some(&**facets.packed()),
-            Geometry::Sphere { .. } | Geometry::Plane { .. } => None,
+            Geometry::Sphere { .. } | Geometry::Plane { .. } | Geometry::Cone(_) => None,
         });
         facets.collect()
     }

@@ -41,7 +41,7 @@ impl Few {
         for (number, bounds) in spheres.into_iter().chain(others) {
             let (center, radius) = match &bodies[number as usize].geometry {
                 Geometry::Sphere { center, radius } => (*center, *radius),
-                Geometry::Plane { .. } | Geometry::Facets(_) => {
+                Geometry::Plane { .. } | Geometry::Cone(_) | Geometry::Facets(_) => {
                     let half = (bounds.high - bounds.low) / 2.0;
                     (bounds.low + half, half.length())
                 }

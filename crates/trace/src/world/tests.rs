@@ -55,6 +55,7 @@ fn stage() -> Stage {
         Shape::Cube { center: DVec3::new(-0.5, 0.2, 0.3), edge: 0.5, rotation: DVec3::new(0.0, 30.0, 0.0) },
         Shape::Parallelepiped { origin: DVec3::ONE, edges: [DVec3::X, DVec3::new(0.1, 0.5, 0.0), DVec3::Z] },
         Shape::Facet { p0: DVec3::X * 2.0, p1: DVec3::Y, p2: DVec3::Z },
+        Shape::Cone { base: DVec3::NEG_ONE, top: DVec3::Y, base_radius: 0.4, top_radius: 0.1, capped: true },
     ];
     let mut stage = Stage::default();
     let glass = Surface { kt: Rgb::splat(0.5), ..Surface::default() };
@@ -117,6 +118,9 @@ fn edit(stage: &Stage, kind: u8, place: usize, amount: f64) -> Edit {
                 Shape::Sphere { center, radius } => Shape::Sphere { center: center + shift, radius },
                 Shape::Cube { center, edge, rotation } => Shape::Cube { center: center + shift, edge, rotation },
                 Shape::Parallelepiped { origin, edges } => Shape::Parallelepiped { origin: origin + shift, edges },
+                Shape::Cone { base, top, base_radius, top_radius, capped } => {
+                    Shape::Cone { base: base + shift, top: top + shift, base_radius, top_radius, capped }
+                }
                 shape @ (Shape::Plane { .. } | Shape::Facet { .. }) => shape,
             };
             set(Object { shape, ..object })
@@ -236,7 +240,7 @@ proptest! {
 fn packed(world: &World, body: usize) -> &Arc<packed::Packed> {
     match &world.bodies[body].geometry {
         Geometry::Facets(facets) => facets.packed(),
-        Geometry::Sphere { .. } | Geometry::Plane { .. } => panic!("no facets"),
+        Geometry::Sphere { .. } | Geometry::Plane { .. } | Geometry::Cone(_) => panic!("no facets"),
     }
 }
 

@@ -26,7 +26,7 @@ impl Top {
                 (Some(around), _) => bounds.push((number, around)),
                 (None, Geometry::Plane { .. }) => unbounded.push(number),
                 // a mesh without facets has neither bounds nor points
-                (None, Geometry::Sphere { .. } | Geometry::Facets(_)) => {}
+                (None, Geometry::Sphere { .. } | Geometry::Cone(_) | Geometry::Facets(_)) => {}
             }
         }
         if unbounded == before.unbounded && bounds == before.bounds {

@@ -74,6 +74,8 @@ phrases! {
     cube() { "Cube", "Cube" }
     /// Adds a box.
     parallelepiped() { "Box", "Parallélépipède" }
+    /// Adds a cone.
+    cone() { "Cone", "Cône" }
     /// Adds a facet.
     facet() { "Facet", "Facette" }
     /// Adds a mesh from a file.

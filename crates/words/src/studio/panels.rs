@@ -38,6 +38,8 @@ phrases! {
     /// Adds one kind.
     parallelepiped() { "Box", "Parallélépipède" }
     /// Adds one kind.
+    cone() { "Cone", "Cône" }
+    /// Adds one kind.
     facet() { "Facet", "Facette" }
     /// Adds one kind.
     mesh() { "Mesh from a file…", "Maillage depuis un fichier…" }

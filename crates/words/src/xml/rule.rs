@@ -36,6 +36,17 @@ reports! {
         "les trois arêtes de la boîte sont dans un même plan", "elle n'aurait pas de volume",
         "tournez l'une de « u », « v », « w » hors du plan des deux autres ; aucune ne peut être nulle";
     }
+    /// The ends of a cone are in one place.
+    cone_flat() {
+        "the ends of the cone are in one place", "it would have no height", "move `base` and `top` apart";
+        "les deux bouts du cône sont au même endroit", "il n'aurait pas de hauteur", "écartez « base » et « top »";
+    }
+    /// Both radii of a cone are 0.
+    cone_thin() {
+        "both radii of the cone are 0", "it would be a line", "give `base-radius` or `top-radius` more than 0";
+        "les deux rayons du cône sont nuls", "ce serait un segment",
+        "donnez plus que 0 à « base-radius » ou à « top-radius »";
+    }
     /// A factor 0.
     scale_zero() {
         "a `scale` of 0 would flatten the mesh", "a factor is 0", "1 keeps the size, 2 doubles it, -1 mirrors";

@@ -87,6 +87,18 @@ phrases! {
     box_v() { "The second edge", "La deuxième arête" }
     /// `box @w`
     box_w() { "The third edge, not in the plane of the others", "La troisième arête, hors du plan des autres" }
+    /// `cone`
+    cone() { "A right circular cone between two circles, a cylinder where their radii are equal", "Un cône droit entre deux cercles, un cylindre si leurs rayons sont égaux" }
+    /// `cone @base`
+    cone_base() { "The centre of the first circle", "Le centre du premier cercle" }
+    /// `cone @top`
+    cone_top() { "The centre of the second circle, elsewhere than the first", "Le centre du second cercle, ailleurs que le premier" }
+    /// `cone @base-radius`
+    base_radius() { "The radius of the first circle", "Le rayon du premier cercle" }
+    /// `cone @top-radius`
+    top_radius() { "The radius of the second circle; 0 makes a point of it, but not of both", "Le rayon du second cercle ; 0 en fait une pointe, mais pas des deux" }
+    /// `cone @capped`
+    capped() { "Whether discs close both ends, so that it encloses a volume; an open one is a sheet without thickness", "Si des disques ferment les deux bouts, de sorte qu'il enferme un volume ; ouvert, c'est une feuille sans épaisseur" }
     /// `mesh`
     mesh() { "An object made of facets, given here or in a file", "Un objet fait de facettes, données ici ou dans un fichier" }
     /// `mesh @src`

@@ -139,10 +139,10 @@ pub(super) fn measure(case: Case, conditions: &Conditions<'_>) -> Result<Measure
     })
 }
 
-/// Spheres, planes and facets: what rays are tried against.
+/// Spheres, planes, cones and facets: what rays are tried against.
 pub(super) fn primitives(scene: &Scene) -> u64 {
     let of_shape = |shape: &Shape| match shape {
-        Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } => 1,
+        Shape::Sphere { .. } | Shape::Plane { .. } | Shape::Facet { .. } | Shape::Cone { .. } => 1,
         Shape::Cube { .. } | Shape::Parallelepiped { .. } => 12,
         Shape::Mesh(mesh) => mesh.geometry.facets.len() as u64,
     };

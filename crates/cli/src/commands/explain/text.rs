@@ -6,6 +6,7 @@ use super::path::RayNames;
 use super::table::{Line, terms};
 use lancer_scene::{Compose, Object, Shape};
 use lancer_trace::observe::{RayNode, Seen, SurfaceNode};
+use lancer_trace::reference::intersect::ConeFace;
 use lancer_trace::{Channels, RayKind, RayTree};
 use lancer_words::{Lang, explain as words, number};
 use std::io::{self, Write};
@@ -219,6 +220,14 @@ fn called(object: &Object, facet: u32, lang: Lang) -> String {
         Shape::Facet { .. } => words::object(lang, words::facet(lang), &object.name),
         Shape::Cube { .. } => words::object_facet(lang, words::cube(lang), &object.name, facet),
         Shape::Parallelepiped { .. } => words::object_facet(lang, words::parallelepiped(lang), &object.name, facet),
+        Shape::Cone { .. } => {
+            let face = match ConeFace::of(facet) {
+                ConeFace::Side => words::side(lang),
+                ConeFace::Base => words::base_cap(lang),
+                ConeFace::Top => words::top_cap(lang),
+            };
+            words::object_face(lang, words::cone(lang), &object.name, face)
+        }
         Shape::Mesh(_) => words::object_facet(lang, words::mesh(lang), &object.name, facet),
     }
 }

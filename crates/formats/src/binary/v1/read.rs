@@ -6,12 +6,19 @@ use super::{
 use crate::binary::BinaryProblem;
 use glam::DVec3;
 use lancer_scene as model;
+use serde::de::DeserializeOwned;
 use std::sync::Arc;
 
+/// The shapes of a version.
+pub(in crate::binary) trait ReadShape: DeserializeOwned {
+    /// The shape of the model; the geometry of a mesh is one of the table's.
+    fn read(self, geometries: &[Arc<model::MeshGeometry>]) -> Result<model::Shape, BinaryProblem>;
+}
+
 /// The scene of a body whose checksum is right. Its rules are not checked here.
-pub(in crate::binary) fn read(body: &[u8]) -> Result<model::Scene, BinaryProblem> {
+pub(in crate::binary) fn read<S: ReadShape>(body: &[u8]) -> Result<model::Scene, BinaryProblem> {
     let mut rest = body;
-    let scene: Scene = ciborium::from_reader(&mut rest).map_err(|error| malformed(&error))?;
+    let scene: Scene<S> = ciborium::from_reader(&mut rest).map_err(|error| malformed(&error))?;
     let surfaces: Vec<Arc<model::Surface>> = scene.surfaces.into_iter().map(|item| Arc::new(item.read())).collect();
     let mut geometries = Vec::with_capacity(scene.geometries.len());
     for geometry in scene.geometries {
@@ -61,7 +68,7 @@ pub(in crate::binary) fn read(body: &[u8]) -> Result<model::Scene, BinaryProblem
     })
 }
 
-impl Object {
+impl<S: ReadShape> Object<S> {
     fn read(
         self,
         surfaces: &[Arc<model::Surface>],
@@ -71,27 +78,33 @@ impl Object {
             name: self.name.into(),
             material: self.material.read(surfaces)?,
             visible: self.visible,
-            shape: match self.shape {
-                Shape::Sphere { center, radius } => model::Shape::Sphere { center: center.into(), radius },
-                Shape::Plane { p0, p1, p2 } => model::Shape::Plane { p0: p0.into(), p1: p1.into(), p2: p2.into() },
-                Shape::Facet { p0, p1, p2 } => model::Shape::Facet { p0: p0.into(), p1: p1.into(), p2: p2.into() },
-                Shape::Cube { center, edge, rotation } => {
-                    model::Shape::Cube { center: center.into(), edge, rotation: rotation.into() }
-                }
-                Shape::Box { origin, u, v, w } => {
-                    model::Shape::Parallelepiped { origin: origin.into(), edges: [u.into(), v.into(), w.into()] }
-                }
-                Shape::Mesh { geometry, src, position, rotation, scale, smooth } => model::Shape::Mesh(model::Mesh {
-                    geometry: at(geometries, geometry, "geometry")?,
-                    source: src.map(Into::into),
-                    placement: model::Placement {
-                        scale: scale.into(),
-                        rotation: rotation.into(),
-                        position: position.into(),
-                    },
-                    smooth,
-                }),
-            },
+            shape: self.shape.read(geometries)?,
+        })
+    }
+}
+
+impl ReadShape for Shape {
+    fn read(self, geometries: &[Arc<model::MeshGeometry>]) -> Result<model::Shape, BinaryProblem> {
+        Ok(match self {
+            Shape::Sphere { center, radius } => model::Shape::Sphere { center: center.into(), radius },
+            Shape::Plane { p0, p1, p2 } => model::Shape::Plane { p0: p0.into(), p1: p1.into(), p2: p2.into() },
+            Shape::Facet { p0, p1, p2 } => model::Shape::Facet { p0: p0.into(), p1: p1.into(), p2: p2.into() },
+            Shape::Cube { center, edge, rotation } => {
+                model::Shape::Cube { center: center.into(), edge, rotation: rotation.into() }
+            }
+            Shape::Box { origin, u, v, w } => {
+                model::Shape::Parallelepiped { origin: origin.into(), edges: [u.into(), v.into(), w.into()] }
+            }
+            Shape::Mesh { geometry, src, position, rotation, scale, smooth } => model::Shape::Mesh(model::Mesh {
+                geometry: at(geometries, geometry, "geometry")?,
+                source: src.map(Into::into),
+                placement: model::Placement {
+                    scale: scale.into(),
+                    rotation: rotation.into(),
+                    position: position.into(),
+                },
+                smooth,
+            }),
         })
     }
 }
@@ -136,7 +149,7 @@ impl Surface {
 }
 
 /// An item of a table.
-fn at<T>(table: &[Arc<T>], place: u32, what: &str) -> Result<Arc<T>, BinaryProblem> {
+pub(in crate::binary) fn at<T>(table: &[Arc<T>], place: u32, what: &str) -> Result<Arc<T>, BinaryProblem> {
     let missing = || BinaryProblem::Malformed { detail: format!("there is no {what} {place}") };
     table.get(place as usize).cloned().ok_or_else(missing)
 }

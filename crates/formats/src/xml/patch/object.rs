@@ -42,6 +42,7 @@ fn inline_geometry(shape: &Shape) -> Option<&MeshGeometry> {
         | Shape::Facet { .. }
         | Shape::Cube { .. }
         | Shape::Parallelepiped { .. }
+        | Shape::Cone { .. }
         | Shape::Mesh(_) => None,
     }
 }

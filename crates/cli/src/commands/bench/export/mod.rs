@@ -158,6 +158,7 @@ fn every_shape() -> (Scene, View) {
         Shape::Plane { p0: below, p1: below + DVec3::Z, p2: below + DVec3::X },
         Shape::Cube { center: DVec3::ZERO, edge: 2.0, rotation: DVec3::ZERO },
         Shape::Parallelepiped { origin: DVec3::ZERO, edges: [DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Z] },
+        Shape::Cone { base: DVec3::ZERO, top: DVec3::Y, base_radius: 1.0, top_radius: 0.5, capped: false },
         Shape::Facet { p0, p1, p2 },
         Shape::Mesh(Mesh { geometry: Arc::new(geometry), source: None, placement, smooth: false }),
     ];

@@ -61,6 +61,11 @@ fn write_object(object: &Object, material: &str, out: &mut impl Write) -> io::Re
             let rows = [a, b, c, origin].map(|row| format!("{}, {}, {}", row.x, row.y, row.z)).join(", ");
             writeln!(out, "box {{ 0, 1 matrix <{rows}> {material} }}")
         }
+        Shape::Cone { base, top, base_radius, top_radius, capped } => {
+            let open = if *capped { "" } else { "open " };
+            let (base, top) = (vector(*base), vector(*top));
+            writeln!(out, "cone {{ {base}, {base_radius}, {top}, {top_radius} {open}{material} }}")
+        }
         Shape::Mesh(_) => {
             let Some((positions, geometry)) = placed(&object.shape) else { return Ok(()) };
             writeln!(out, "mesh2 {{ vertex_vectors {{ {}", positions.len())?;
@@ -131,6 +136,7 @@ plane { <0, 1, 0>, -2 material { texture { pigment { rgb <0.6, 0.6, 0.6> transmi
 ambient rgb <0.16666666666666669, 0.16666666666666669, 0.16666666666666669> diffuse 1 } } } }
 box { 0, 1 matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, -1, -1, -1> material { Material0 } }
 box { 0, 1 matrix <1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0> material { Material0 } }
+cone { <0, 0, 0>, 1, <0, 1, 0>, 0.5 open material { Material0 } }
 triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> material { Material0 } }
 mesh2 { vertex_vectors { 3
 ,<0,0,7>

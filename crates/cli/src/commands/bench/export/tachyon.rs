@@ -5,7 +5,7 @@
 //! and one strength each; and ⊕.
 
 use super::placed;
-use lancer_scene::{DVec3, Object, Rgb, Scene, Screen, Shape, Surface, View, box_facets};
+use lancer_scene::{DVec3, Object, Rgb, Scene, Screen, Shape, Surface, View, box_facets, cone_facets};
 use std::io::{self, BufWriter, Write};
 
 pub(super) fn write(scene: &Scene, view: &View, out: &mut dyn Write) -> io::Result<()> {
@@ -45,6 +45,9 @@ pub(super) fn write(scene: &Scene, view: &View, out: &mut dyn Write) -> io::Resu
     out.flush()
 }
 
+/// How many facets go around a cone, which it knows no primitive for.
+const CONE_FACETS: u32 = 64;
+
 fn write_object(object: &Object, texture: &str, out: &mut impl Write) -> io::Result<()> {
     let mut facet = |[a, b, c]: [DVec3; 3]| {
         // the other way round, because the mirrored axes turn it
@@ -63,6 +66,11 @@ fn write_object(object: &Object, texture: &str, out: &mut impl Write) -> io::Res
             Some((origin, edges)) => box_facets(origin, edges).into_iter().try_for_each(facet),
             None => Ok(()),
         },
+        Shape::Cone { base, top, base_radius, top_radius, capped } => {
+            cone_facets([*base, *top], [*base_radius, *top_radius], *capped, CONE_FACETS)
+                .into_iter()
+                .try_for_each(facet)
+        }
         Shape::Mesh(_) => match placed(&object.shape) {
             Some((positions, geometry)) => {
                 geometry.facets.iter().try_for_each(|corners| facet(corners.map(|vertex| positions[vertex as usize])))
@@ -125,9 +133,9 @@ PLANE CENTER 0 -2 0 NORMAL 0 1 0 TEXTURE AMBIENT 0.10000000000000002 DIFFUSE 0.6
 TEXFUNC 0
 END_SCENE"
         );
-        // two boxes of twelve facets, the facet and the mesh's, which stands at z = 7
-        assert_eq!(boxes.len(), 26);
-        assert_eq!(boxes[24], "TRI V0 0 0 0 V1 0 1 0 V2 1 0 0 material0");
-        assert_eq!(boxes[25], "TRI V0 0 0 -7 V1 0 2 -7 V2 2 0 -7 material0");
+        // two boxes of twelve facets, an open cone of twice 64, the facet and the mesh's, which stands at z = 7
+        assert_eq!(boxes.len(), 26 + 128);
+        assert_eq!(boxes[152], "TRI V0 0 0 0 V1 0 1 0 V2 1 0 0 material0");
+        assert_eq!(boxes[153], "TRI V0 0 0 -7 V1 0 2 -7 V2 2 0 -7 material0");
     }
 }

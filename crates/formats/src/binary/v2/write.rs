@@ -1,8 +1,9 @@
-//! The writer of version 1.
+//! The writer of version 2.
 
-use super::{
-    Compose, Geometry, Highlight, Light, Material, MaterialRef, Object, POINT_BYTES, Part, Reflectance, Scene, Shape,
-    Surface, World,
+use super::Shape;
+use crate::binary::v1::{
+    Compose, Geometry, Highlight, Light, Material, MaterialRef, Object, POINT_BYTES, Part, Reflectance, Scene, Surface,
+    World,
 };
 use glam::DVec3;
 use lancer_scene as model;
@@ -48,7 +49,7 @@ pub(in crate::binary) fn write(scene: &model::Scene, file: &mut Vec<u8>) {
         surfaces: writer.surfaces.items.iter().map(|item| surface(item)).collect(),
     };
     #[expect(clippy::expect_used, reason = "a Vec takes every byte, and every struct above has a form in CBOR")]
-    ciborium::into_writer(&body, &mut *file).expect("the structs of version 1 can be written as CBOR");
+    ciborium::into_writer(&body, &mut *file).expect("the structs of version 2 can be written as CBOR");
     for geometry in &geometries {
         write_points(&geometry.positions, file);
         write_points(&geometry.normals, file);
@@ -91,7 +92,7 @@ struct Writer {
 }
 
 impl Writer {
-    fn object(&mut self, object: &model::Object) -> Object {
+    fn object(&mut self, object: &model::Object) -> Object<Shape> {
         Object {
             name: object.name.to_string(),
             material: self.material_ref(&object.material),
@@ -110,6 +111,13 @@ impl Writer {
                 model::Shape::Parallelepiped { origin, edges: [u, v, w] } => {
                     Shape::Box { origin: origin.to_array(), u: u.to_array(), v: v.to_array(), w: w.to_array() }
                 }
+                model::Shape::Cone { base, top, base_radius, top_radius, capped } => Shape::Cone {
+                    base: base.to_array(),
+                    top: top.to_array(),
+                    base_radius: *base_radius,
+                    top_radius: *top_radius,
+                    capped: *capped,
+                },
                 model::Shape::Mesh(mesh) => Shape::Mesh {
                     geometry: self.geometries.place(&mesh.geometry),
                     src: mesh.source.as_deref().map(str::to_owned),
