@@ -1,7 +1,7 @@
 //! Many rays through a hierarchy at once.
 //!
 //! Up to eight packets of eight rays go down together. A node's eight boxes are tried at once against the interval of all
-//! rays; what is left, box by box, against the intervals of all packets at once; where one or two packets are left, against
+//! rays; what is left, box by box, against the intervals of all packets at once; where few packets are left, against
 //! their rays. All of it is f32 and conservative: a box that a ray can meet before its limit is never passed over.
 //!
 //! How far f32 may be off: an origin relative to the hierarchy's is off by 2⁻²⁴ of itself, and so are products and
@@ -22,6 +22,9 @@ pub(super) const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
 const FLAT: f32 = 1e-20;
 /// A level leaves at most seven open children behind.
 pub(super) const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
+
+/// So many packets are asked ray by ray at every node.
+const FEW: u32 = 4;
 
 /// The f32 shadow of a packet's rays, relative to a hierarchy's origin.
 #[derive(Clone, Copy)]
@@ -304,11 +307,12 @@ impl<'b, L: Lanes> Beam<'b, L> {
         }
     }
 
-    /// The packets of which some ray meets a child's box. Ray by ray it is only asked where one or two packets are left,
-    /// which bounds the work, and of wide ones.
+    /// The packets of which some ray meets a child's box. Ray by ray it is only asked where few packets are left, which
+    /// bounds the work, at leaves, where more depends on it, and of wide packets.
     #[inline(always)]
     fn refined(&self, mut packets: u8, wide: u8, alone: bool, node: &Node, child: usize) -> u8 {
-        let asked = if packets.count_ones() <= 2 { packets } else { packets & wide };
+        let each = packets.count_ones() <= FEW || node.children[child].is_leaf();
+        let asked = if each { packets } else { packets & wide };
         for packet in lanes(asked) {
             // the interval of a single ray is that ray
             let known = alone && self.packets[packet].mask.is_power_of_two();

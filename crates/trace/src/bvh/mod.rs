@@ -27,7 +27,7 @@ pub(crate) use block::{Block, NO_FACET, Triangles};
 pub(crate) use bounds::Bounds;
 pub(crate) use build::{Frame, Source};
 pub(crate) use node::{Child, Entry, Node};
-pub(crate) use single::{Follow, Scattered, TURNS};
+pub(crate) use single::{Follow, Scattered};
 pub(crate) use walk::Sight;
 
 use glam::DVec3;

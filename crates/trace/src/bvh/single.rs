@@ -10,21 +10,22 @@
 use super::beam::{LONGER, OPEN, Shadow};
 use super::{Bvh, Child, Entry, Node, WIDTH};
 use crate::engine::lanes::{Lanes, Mask, Single};
-use crate::engine::vector::lanes;
 use std::cell::Cell;
 
 /// How many rays take turns at most.
-pub(crate) const TURNS: usize = 32;
+const TURNS: usize = 32;
 
-/// Rays as boxes see them, by axis, then by lane: what the coordinate of a plane is multiplied with, and what is then
+/// Rays as boxes see them, by axis, then by number: what the coordinate of a plane is multiplied with, and what is then
 /// taken away, of the plane where the ray enters and of that where it leaves.
 pub(crate) struct Scattered {
-    inverse: [[f32; 8]; 3],
-    enter: [[f32; 8]; 3],
-    leave: [[f32; 8]; 3],
-    /// The lanes whose rays go down along each axis.
-    down: [u8; 3],
-    mask: u8,
+    inverse: [[f32; TURNS]; 3],
+    enter: [[f32; TURNS]; 3],
+    leave: [[f32; TURNS]; 3],
+    /// The rays that go down along each axis.
+    down: [u32; 3],
+    /// The rays that there are.
+    mask: u32,
+    packets: usize,
 }
 
 /// Is shown the leaves that rays reach. A ray has the number of its packet times eight plus its lane.
@@ -40,32 +41,49 @@ pub(crate) trait Follow {
 }
 
 impl Scattered {
-    /// The rays of a packet.
+    /// How many packets there is place for.
+    pub(crate) const PACKETS: usize = TURNS / 8;
+
+    /// No rays.
     #[inline(always)]
-    pub(crate) fn of<L: Lanes>(rays: &Shadow<L>) -> Scattered {
-        let none = [[0.0; 8]; 3];
-        let mut scattered = Scattered { inverse: none, enter: none, leave: none, down: [0; 3], mask: rays.mask };
-        for axis in 0..3 {
-            let down = rays.inverse[axis].lt(L::Single::splat(0.0));
-            scattered.inverse[axis] = rays.inverse[axis].store();
-            scattered.enter[axis] = L::Single::select(down, rays.below[axis], rays.above[axis]).store();
-            scattered.leave[axis] = L::Single::select(down, rays.above[axis], rays.below[axis]).store();
-            scattered.down[axis] = down.bits();
+    pub(crate) fn new() -> Scattered {
+        let none = [[0.0; TURNS]; 3];
+        Scattered { inverse: none, enter: none, leave: none, down: [0; 3], mask: 0, packets: 0 }
+    }
+
+    /// Adds the rays of a packet, if there is place.
+    #[inline(always)]
+    pub(crate) fn push<L: Lanes>(&mut self, rays: &Shadow<L>) {
+        let first = 8 * self.packets;
+        if self.packets == Scattered::PACKETS {
+            return;
         }
-        scattered
+        self.packets += 1;
+        let mut there = rays.mask;
+        for axis in 0..3 {
+            // what is not a number would meet every box
+            there &= rays.above[axis].abs().ge(L::Single::splat(0.0)).bits();
+            let down = rays.inverse[axis].lt(L::Single::splat(0.0));
+            let (above, below) = (rays.above[axis], rays.below[axis]);
+            put(&mut self.inverse[axis], first, rays.inverse[axis].store());
+            put(&mut self.enter[axis], first, L::Single::select(down, below, above).store());
+            put(&mut self.leave[axis], first, L::Single::select(down, above, below).store());
+            self.down[axis] |= u32::from(down.bits()) << first;
+        }
+        self.mask |= u32::from(there) << first;
     }
 
     /// Where a ray enters the boxes of a node's children; -1 for those that it does not meet before `limit`.
     #[inline(always)]
-    fn meet<L: Lanes>(&self, lane: usize, node: &Node, limit: f32) -> [f32; WIDTH] {
+    fn meet<L: Lanes>(&self, ray: usize, node: &Node, limit: f32) -> [f32; WIDTH] {
         let (mut near, mut far) = (L::Single::splat(0.0), L::Single::splat(limit));
         for axis in 0..3 {
             let (low, high) = (&node.low[axis], &node.high[axis]);
-            let down = self.down[axis] >> lane & 1 == 1;
+            let down = self.down[axis] >> ray & 1 == 1;
             let (first, second) = if down { (high, low) } else { (low, high) };
-            let inverse = L::Single::splat(self.inverse[axis][lane]);
-            let enter = L::Single::load(first).mul_sub(inverse, L::Single::splat(self.enter[axis][lane]));
-            let leave = L::Single::load(second).mul_sub(inverse, L::Single::splat(self.leave[axis][lane]));
+            let inverse = L::Single::splat(self.inverse[axis][ray]);
+            let enter = L::Single::load(first).mul_sub(inverse, L::Single::splat(self.enter[axis][ray]));
+            let leave = L::Single::load(second).mul_sub(inverse, L::Single::splat(self.leave[axis][ray]));
             // what is not a number says nothing
             near = enter.max(near);
             far = leave.min(far);
@@ -139,7 +157,7 @@ impl Round {
 impl Bvh {
     /// Shows every leaf that each ray reaches before its limit, nearer boxes first.
     #[inline(always)]
-    pub(crate) fn follow<L: Lanes>(&self, packets: &[Scattered], visitor: &mut impl Follow) {
+    pub(crate) fn follow<L: Lanes>(&self, rays: &Scattered, visitor: &mut impl Follow) {
         let nodes = self.nodes();
         if nodes.is_empty() {
             return;
@@ -149,13 +167,13 @@ impl Bvh {
         let (mut limits, mut next, mut counts) = ([0.0; TURNS], [0; TURNS], [1; TURNS]);
         let mut nears = [[0.0; WIDTH]; TURNS];
         let (mut inner, mut leaves) = (Round::NONE, Round::NONE);
-        for (packet, rays) in packets.iter().take(TURNS / 8).enumerate() {
-            for lane in lanes(rays.mask) {
-                let ray = 8 * packet + lane;
-                limits[ray] = visitor.limit(ray);
-                waiting[ray].child[0] = NOTHING_MORE;
-                inner.add(ray, true);
-            }
+        let mut left = rays.mask;
+        while left != 0 {
+            let ray = left.trailing_zeros() as usize;
+            left &= left - 1;
+            limits[ray] = visitor.limit(ray);
+            waiting[ray].child[0] = NOTHING_MORE;
+            inner.add(ray, true);
         }
         while inner.count + leaves.count > 0 {
             let (now, soon) = (inner, leaves);
@@ -163,7 +181,7 @@ impl Bvh {
             // in two steps, each short enough for the processor to look far ahead
             for (&ray, near) in now.rays[..now.count].iter().zip(&mut nears) {
                 let ray = usize::from(ray) % TURNS;
-                *near = packets[ray / 8].meet::<L>(ray % 8, &nodes[next[ray] as usize], limits[ray]);
+                *near = rays.meet::<L>(ray, &nodes[next[ray] as usize], limits[ray]);
             }
             for (&ray, near) in now.rays[..now.count].iter().zip(&nears) {
                 let ray = usize::from(ray) % TURNS;
@@ -171,6 +189,7 @@ impl Bvh {
                 let met = near.ge(L::Single::splat(0.0)).bits();
                 let (near, child) = L::greatest_first(near, bytemuck::cast_ref(&nodes[next[ray] as usize].children));
                 let count = counts[ray];
+                // a level leaves at most seven open children behind
                 put(&mut waiting[ray].near, count, near);
                 put(&mut waiting[ray].child, count, child);
                 counts[ray] = count + met.count_ones() as usize - 1;
@@ -198,10 +217,10 @@ impl Bvh {
     }
 }
 
-/// Eight at once, to a place that is there: a level leaves at most seven open children behind.
+/// Eight at once, to a place that is there.
 #[inline(always)]
-fn put<T>(stack: &mut [T; OPEN + WIDTH], count: usize, eight: [T; WIDTH]) {
-    if let Some(place) = stack.get_mut(count..).and_then(|rest| rest.first_chunk_mut()) {
+fn put<T, const N: usize>(list: &mut [T; N], first: usize, eight: [T; WIDTH]) {
+    if let Some(place) = list.get_mut(first..).and_then(|rest| rest.first_chunk_mut()) {
         *place = eight;
     }
 }

@@ -120,7 +120,7 @@ impl<L: Lanes> Ray<L> {
         let size = greatest::<L>(&e1).max(greatest::<L>(&e2)) + self.wider;
         let along = off::<L>(&a, &normal, size, self.moved, self.turned);
         let ahead = dot::<L>(&a, &normal);
-        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight(mask, limit)
+        Volumes { alpha, beta, rest, whole, ahead, edge: self.edge * size, along }.sight::<false>(mask, limit)
     }
 }
 
@@ -137,12 +137,13 @@ struct Volumes<L: Lanes> {
 }
 
 impl<L: Lanes> Volumes<L> {
+    /// `EARLY`: asks first whether there is anything to look for, where that can be foretold.
     #[inline(always)]
-    fn sight(self, mask: u8, limit: L::Single) -> Sighted<L> {
+    fn sight<const EARLY: bool>(self, mask: u8, limit: L::Single) -> Sighted<L> {
         let Volumes { alpha, beta, rest, whole, ahead, edge, along } = self;
         let (least, most) = (rest.min(alpha).min(beta), rest.max(alpha).max(beta));
         let inside = (least.ge(-edge) | most.le(edge)).bits() & mask;
-        if inside == 0 {
+        if EARLY && inside == 0 {
             return Sighted { may: 0, sure: 0, low: ahead, high: ahead };
         }
         // as if the facet were seen from its front
@@ -269,7 +270,7 @@ impl Seen {
             edge: rays.spread * L::Single::splat(self.size[facet] * EDGE),
             along: L::Single::splat(self.along[facet]),
         };
-        volume.sight(rays.mask, limit)
+        volume.sight::<true>(rays.mask, limit)
     }
 }
 
@@ -384,4 +385,74 @@ fn dot<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> L::Single {
 #[inline(always)]
 fn greatest<L: Lanes>(a: &[L::Single; 3]) -> L::Single {
     a[0].abs().max(a[1].abs()).max(a[2].abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bvh::{Beam, Bvh, Triangles};
+    use crate::engine::lanes::Portable;
+    use crate::engine::vector::Vector;
+    use crate::reference::intersect::intersect_facet;
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    fn point(size: f64) -> impl Strategy<Value = DVec3> {
+        prop::array::uniform3(-size..size).prop_map(DVec3::from)
+    }
+
+    /// A facet of some size at some distance, a start, and what the ray aims at: anything from within the facet to
+    /// somewhere beside it, as shares of its edges.
+    fn meeting() -> impl Strategy<Value = ([DVec3; 3], DVec3, (f64, f64))> {
+        let facet = (point(1.0), point(1.0), point(1.0), -6.0..0.0_f64, point(1.0));
+        let share = || prop_oneof![-0.1..1.1_f64, Just(0.0), Just(0.5), Just(1.0), -1e-5..1e-5_f64];
+        let near =
+            prop_oneof![point(10.0), (point(1.0), -6.0..0.0_f64).prop_map(|(way, size)| way * 10_f64.powf(size))];
+        (facet, near, (share(), share())).prop_map(|((a, b, c, size, center), start, shares)| {
+            let corners = [a, b, c].map(|corner| center + corner * 10_f64.powf(size));
+            (corners, start + if start.length() < 1.0 { corners[0] } else { DVec3::ZERO }, shares)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 20_000, ..ProptestConfig::default() })]
+
+        /// What double precision meets is never left out and lies between the bounds; what is sure is so.
+        #[test]
+        fn the_filter_knows_what_it_knows((corners, origin, (alpha, beta)) in meeting()) {
+            let [p0, p1, p2] = corners;
+            let target = p0 + (p1 - p0) * alpha + (p2 - p0) * beta;
+            let direction = (target - origin).normalize();
+            prop_assume!(direction.is_finite());
+            let hit = intersect_facet(&crate::Ray { origin, direction }, p0, p1, p2);
+            // another facet makes the hierarchy greater than this one
+            let positions = [p0, p1, p2, DVec3::splat(-1.0), DVec3::splat(-1.0) + DVec3::X, DVec3::splat(1.0)];
+            let (bvh, blocks) = Bvh::over(&Triangles { positions: &positions, facets: &[[0, 1, 2], [3, 4, 5]] });
+            let lane = blocks[0].facets.iter().position(|&facet| facet == 0).unwrap();
+            let mut beam = Beam::<Portable>::new(&bvh, bvh.margin());
+            let rays = (Vector::splat(origin), Vector::splat(direction));
+            beam.push(rays.0, rays, 0xff, f32::INFINITY);
+            let (rays, extent) = (&beam.packets[0], bvh.extent());
+            let most = <Portable as Lanes>::Single::splat(f32::INFINITY);
+            let eye = Eye::of(rays, extent);
+            let seen = Seen::of::<Portable>(&eye, &blocks);
+            let within = seen.within::<Portable>(&Fan::of(rays)) >> lane & 1;
+            let from_one = Looking::of(rays, extent).at_facets::<Portable>(0, &blocks, f32::INFINITY);
+            for (name, sighted, place) in [
+                ("single", from_one, lane),
+                ("packet", sight(rays, extent, &blocks[0], lane, most), 0),
+                ("from one point", seen.by(rays, lane, most), 0),
+            ] {
+                let (low, high) = (sighted.low.store()[place], sighted.high.store()[place]);
+                let (may, sure) = (sighted.may >> place & 1 == 1, sighted.sure >> place & 1 == 1);
+                if let Some(hit) = hit {
+                    prop_assert!(may, "{name} leaves out {hit:?}");
+                    let between = f64::from(low) <= hit.t && hit.t <= f64::from(high);
+                    prop_assert!(!sure || between, "{name}: {} is not between {low} and {high}", hit.t);
+                }
+                prop_assert!(!sure || hit.is_some(), "{name} is sure of nothing");
+            }
+            prop_assert!(hit.is_none() || within == 1, "the fan leaves out {hit:?}");
+        }
+    }
 }

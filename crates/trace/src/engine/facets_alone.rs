@@ -13,7 +13,7 @@ use super::lanes::{Lanes, Real, Single};
 use super::packet::{Block, Hits, Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::Ray;
-use crate::bvh::{Beam, Follow, NO_FACET, Scattered, TURNS};
+use crate::bvh::{Beam, Follow, NO_FACET, Scattered};
 use crate::reference::intersect::intersect_facet;
 use crate::world::Facets;
 use arrayvec::ArrayVec;
@@ -36,13 +36,13 @@ impl<B: Backend> Step<B> for Alone<'_, '_, B> {
         let extent = facets.bvh().extent();
         let mut rest = packets;
         while rest != 0 {
-            let mut turns: ArrayVec<Scattered, { TURNS / 8 }> = ArrayVec::new();
+            let mut turns = Scattered::new();
             let mut leaves = Leaves { facets, body, block, hits, lanes: ArrayVec::new() };
-            while rest != 0 && !turns.is_full() {
+            while rest != 0 && !leaves.lanes.is_full() {
                 let place = rest.trailing_zeros() as usize;
                 rest &= rest - 1;
                 let rays = &beam.packets[place];
-                turns.push(Scattered::of(rays));
+                turns.push(rays);
                 let limits = leaves.hits[place].limits().store();
                 let (nearest, low) = ([NO_FACET; 8], [f32::INFINITY; 8]);
                 leaves.lanes.push(Found { place, looking: Looking::of(rays, extent), limits, nearest, low });
@@ -99,7 +99,7 @@ struct Leaves<'v, L: Lanes> {
     body: u32,
     block: &'v Block<L>,
     hits: &'v mut PerPacket<Hits<L>>,
-    lanes: ArrayVec<Found, { TURNS / 8 }>,
+    lanes: ArrayVec<Found, { Scattered::PACKETS }>,
 }
 
 impl<L: Backend> Follow for Leaves<'_, L> {

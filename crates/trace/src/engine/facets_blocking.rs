@@ -1,5 +1,6 @@
 //! Whether a facet of a mesh stands between points and a lamp (subject §1.2): what `shadows` hands a mesh to.
 
+use super::blocking_alone::BlockedAlone;
 use super::dispatch::{Backend, Step};
 use super::facet_filter::{Eye, Fan, Seen};
 use super::facets_nearest::{not_started_on, send};
@@ -33,14 +34,28 @@ impl<B: Backend> Step<B> for OnFacets<'_, B> {
             let open = asked[place] & !blocked[place];
             send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
         }
+        let mut left = within.scattered();
+        for place in lanes(left) {
+            within.shorten(place, -1.0);
+        }
         let together = within.looking();
         if together != 0 {
             let eye = Eye::of(&within.packets[together.trailing_zeros() as usize], facets.bvh().extent());
-            let fans = [None; PACKETS];
-            within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked, eye, fans });
+            let (fans, patience) = ([None; PACKETS], PATIENCE * together.count_ones());
+            let mut leaves =
+                FacetLeaves { facets, body, lamp, rays, blocked: &mut *blocked, eye, fans, patience, left };
+            within.traverse(&mut leaves);
+            left = leaves.left;
+        }
+        if left != 0 {
+            B::enter(BlockedAlone { facets, body, lamp, rays, asked, blocked, packets: left });
         }
     }
 }
+
+/// To how many leaves each packet may come before its rays had better go alone: where facets are so small, and the light
+/// so grazing, that a beam touches more of them than it has rays.
+const PATIENCE: u32 = 24;
 
 /// Tries the facets of leaves.
 struct FacetLeaves<'v, L: Lanes> {
@@ -51,8 +66,12 @@ struct FacetLeaves<'v, L: Lanes> {
     blocked: &'v mut [u8; PACKETS],
     /// The lamp, where all rays start for culling.
     eye: Eye,
-    /// The directions of each packet, once they are needed.
+    /// The directions of each packet, once they are needed; none loses rays on the way.
     fans: [Option<Fan>; PACKETS],
+    /// How many more leaves all packets together may come to.
+    patience: u32,
+    /// The packets of which the rays go alone: they are scattered, or had come to no end by then.
+    left: u8,
 }
 
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
@@ -63,6 +82,14 @@ impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
 
     #[inline(always)]
     fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
+        if self.patience < packets.count_ones() {
+            self.left |= beam.looking();
+            for place in 0..PACKETS {
+                beam.shorten(place, -1.0);
+            }
+            return;
+        }
+        self.patience -= packets.count_ones();
         L::enter(TryFacets { leaves: self, beam, blocks: first..first + count, packets });
     }
 }
@@ -96,7 +123,17 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
                     leaves.blocked[place] |= sighted.sure;
                     if unsure != 0 {
                         let number = blocks[facet / 4 % blocks.len()].facets[facet % 4];
-                        B::enter(TryNow { leaves, place, number, may: unsure });
+                        let FacetLeaves { facets, body, lamp, rays, blocked, .. } = leaves;
+                        B::enter(TryNow {
+                            facets,
+                            body: *body,
+                            lamp: *lamp,
+                            rays,
+                            blocked,
+                            place,
+                            number,
+                            may: unsure,
+                        });
                     }
                 }
                 if leaves.blocked[place] != before {
@@ -109,23 +146,27 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
 }
 
 /// Tries one facet with some rays of a packet, as the reference does.
-struct TryNow<'s, 'v, B: Backend> {
-    leaves: &'s mut FacetLeaves<'v, B>,
-    place: usize,
-    number: u32,
-    may: u8,
+pub(super) struct TryNow<'s, B: Backend> {
+    pub(super) facets: &'s Facets,
+    pub(super) body: u32,
+    pub(super) lamp: DVec3,
+    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) blocked: &'s mut [u8; PACKETS],
+    pub(super) place: usize,
+    pub(super) number: u32,
+    pub(super) may: u8,
 }
 
-impl<B: Backend> Step<B> for TryNow<'_, '_, B> {
+impl<B: Backend> Step<B> for TryNow<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let TryNow { leaves: FacetLeaves { facets, body, lamp, rays, blocked, .. }, place, number, may } = self;
+        let TryNow { facets, body, lamp, rays, blocked, place, number, may } = self;
         let ToLamp { packet, distance, .. } = &rays[place];
         let corners = facets.corners(number);
         let found = facet::<B>(packet.origin, packet.direction, corners);
         let met = found.lanes & may & found.t.lt(*distance).bits();
-        if met != 0 && !lies_in_plane(*lamp, corners[0], corners[1], corners[2]) {
-            blocked[place] |= not_started_on(packet, met, corners, *body);
+        if met != 0 && !lies_in_plane(lamp, corners[0], corners[1], corners[2]) {
+            blocked[place] |= not_started_on(packet, met, corners, body);
         }
     }
 }

@@ -408,7 +408,29 @@ impl Single for Singles {
     }
 }
 
-/// Eight integers, the greatest first: the network of 19 comparisons in six rounds.
+/// For each set of lanes the numbers of its lanes, then those of the others.
+static CHOSEN_FIRST: [[u8; 8]; 256] = {
+    let mut table = [[0; 8]; 256];
+    let mut set = 0;
+    while set < 256 {
+        let (mut place, mut wanted) = (0, 2);
+        while wanted > 0 {
+            wanted -= 1;
+            let mut lane = 0;
+            while lane < 8 {
+                if set >> lane & 1 == wanted {
+                    table[set][place] = lane as u8;
+                    place += 1;
+                }
+                lane += 1;
+            }
+        }
+        set += 1;
+    }
+    table
+};
+
+/// Eight integers, those that are not negative first, and of them the greatest first.
 #[inline(always)]
 pub(super) fn sorted(key: __m256i) -> __m256i {
     /// Each lane with its partner, which the permutation brings to it; of the two the lanes of `LESS` keep the lesser.
@@ -419,15 +441,21 @@ pub(super) fn sorted(key: __m256i) -> __m256i {
     }
     // SAFETY: called only where AVX2 is (the module's text).
     unsafe {
-        // 0-2 1-3 4-6 5-7, 0-4 1-5 2-6 3-7, 0-1 2-3 4-5 6-7, 2-4 3-5, 1-4 3-6, 1-2 3-4 5-6
+        let set = !_mm256_movemask_ps(_mm256_castsi256_ps(key)) & 0xff;
+        let chosen = _mm_cvtsi64_si128(i64::from_le_bytes(CHOSEN_FIRST[set as usize]));
+        let key = _mm256_permutevar8x32_epi32(key, _mm256_cvtepu8_epi32(chosen));
+        // 0-2 1-3, 0-1 2-3, 1-2 of each half: enough for four
         let key = round::<0b1100_1100>(key, _mm256_shuffle_epi32::<0b01_00_11_10>(key));
-        let key = round::<0b1111_0000>(key, _mm256_permute4x64_epi64::<0b01_00_11_10>(key));
         let key = round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key));
-        let key = round::<0b0011_0000>(key, _mm256_permute4x64_epi64::<0b11_01_10_00>(key));
-        let fifth = _mm256_setr_epi32(0, 4, 2, 6, 1, 5, 3, 7);
-        let key = round::<0b0101_0000>(key, _mm256_permutevar8x32_epi32(key, fifth));
-        let sixth = _mm256_setr_epi32(0, 2, 1, 4, 3, 6, 5, 7);
-        round::<0b0101_0100>(key, _mm256_permutevar8x32_epi32(key, sixth))
+        let key = round::<0b0100_0100>(key, _mm256_shuffle_epi32::<0b11_01_10_00>(key));
+        if _mm256_extract_epi32::<4>(key) < 0 {
+            return key;
+        }
+        // two halves, each the greatest first, are merged: 0-7 1-6 2-5 3-4, 0-2 1-3 4-6 5-7, 0-1 2-3 4-5 6-7
+        let turned = _mm256_permute4x64_epi64::<0b00_01_10_11>(_mm256_shuffle_epi32::<0b10_11_00_01>(key));
+        let key = round::<0b1111_0000>(key, turned);
+        let key = round::<0b1100_1100>(key, _mm256_shuffle_epi32::<0b01_00_11_10>(key));
+        round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key))
     }
 }
 
