@@ -1,11 +1,11 @@
 //! The program's command line as the parser sees it: one value, from which help, manual page and completions come too.
 
-use crate::commands::{bench, check, completions, convert, diff, explain, help, man, render, schema, show};
+use crate::commands::{bench, check, completions, convert, diff, explain, generate, help, man, render, schema, show};
 use crate::flags;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, Command};
 use lancer_words::Lang;
-use lancer_words::cli::{bench as bench_words, help as words};
+use lancer_words::cli::{bench as bench_words, generate as generate_words, help as words};
 
 /// The whole command line in a language.
 pub(crate) fn command(lang: Lang) -> Command {
@@ -15,6 +15,7 @@ pub(crate) fn command(lang: Lang) -> Command {
         (convert::command(lang), words::usage_convert(lang)),
         (explain::command(lang), words::usage_explain(lang)),
         (diff::command(lang), words::usage_diff(lang)),
+        (generate::command(lang), generate_words::usage_generate(lang)),
         (bench::command(lang), bench_words::usage_bench(lang)),
         (schema::command(lang), words::usage_schema(lang)),
         (completions::command(lang), words::usage_completions(lang)),

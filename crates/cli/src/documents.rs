@@ -88,6 +88,14 @@ pub(crate) fn findings(
     lint(scene, shown).into_iter().filter_map(placed).collect()
 }
 
+/// Views.
+///
+/// # Errors
+/// A file that cannot be read; one with errors, which are told.
+pub(crate) fn views(path: &Path, options: &LoadOptions, console: &Console) -> Result<Views, Failure> {
+    accepted(load::load_views(path, options).map_err(Failure::Load)?, console)
+}
+
 /// A picture.
 ///
 /// # Errors

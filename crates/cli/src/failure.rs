@@ -5,14 +5,15 @@ use crate::Exit;
 use lancer_formats::Describe;
 use lancer_formats::load::LoadError;
 use lancer_formats::picture::UnknownExtension;
-use lancer_formats::save::SaveError;
+use lancer_formats::save::{SaveCause, SaveError};
 use lancer_formats::xml::XmlProblem;
 use lancer_render::{PixelFault, Region, RenderError, SimdError, Tracing};
+use lancer_scene::generate::Family;
 use lancer_scene::{Invalid, Name, View};
 use lancer_trace::Simd;
 use lancer_words::Lang;
 use lancer_words::cli::{self as words, usage};
-use lancer_words::engine;
+use lancer_words::{engine, export};
 use std::path::PathBuf;
 
 /// Why the program ends early.
@@ -51,6 +52,25 @@ pub(crate) enum Failure {
     },
     /// Views have no binary form.
     ViewsAsBinary,
+    /// A form with a camera, and no views.
+    NeedsViews {
+        /// What was to be written.
+        path: PathBuf,
+        /// Where views were looked for.
+        beside: PathBuf,
+    },
+    /// A form that holds objects, and the input is views.
+    NeedsScene {
+        /// What was to be written.
+        path: PathBuf,
+    },
+    /// Two files cannot go to standard output.
+    ObjToStdout,
+    /// A generated scene of a size that its family does not have.
+    BadFamilySize {
+        /// The family.
+        family: Family,
+    },
     /// A document without a view.
     NoView {
         /// The document.
@@ -153,6 +173,11 @@ impl Failure {
         }
     }
 
+    /// A file that could not be written, in the writer's words.
+    pub(crate) fn cannot_write(path: &std::path::Path, error: &std::io::Error) -> Failure {
+        Failure::Save(SaveError { path: path.to_owned(), cause: SaveCause::Other(error.to_string()) })
+    }
+
     /// How the program ends (DESIGN §3.6). What the command line alone shows to be wrong is 2; what only shows beside
     /// the documents is 1.
     pub(crate) fn exit(&self) -> Exit {
@@ -162,10 +187,14 @@ impl Failure {
             Failure::Simd(_)
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
+            | Failure::ObjToStdout
+            | Failure::BadFamilySize { .. }
             | Failure::UnknownForm { .. } => Exit::Usage,
             Failure::AdaptiveOfOne { .. }
             | Failure::NeedsRendering { .. }
             | Failure::ViewsAsBinary
+            | Failure::NeedsViews { .. }
+            | Failure::NeedsScene { .. }
             | Failure::NoView { .. }
             | Failure::UnknownView { .. }
             | Failure::ViewInvalid { .. }
@@ -196,6 +225,12 @@ impl Failure {
             Failure::NeedsRendering { path } => words::convert_needs_rendering(lang, path.display()),
             Failure::UnknownForm { path } => words::convert_unknown(lang, path.display()),
             Failure::ViewsAsBinary => words::convert_views_binary(lang),
+            Failure::NeedsViews { path, .. } => export::needs_views(lang, path.display()),
+            Failure::NeedsScene { path } => export::needs_scene(lang, path.display()),
+            Failure::ObjToStdout => export::no_stdout(lang),
+            Failure::BadFamilySize { family } => {
+                words::bench::bad_size_of(lang, family.word(), family.sizes().start(), family.sizes().end())
+            }
             Failure::NoView { path } => words::no_view(lang, path.display()),
             Failure::UnknownView { name, path, .. } => words::unknown_view(lang, name, path.display()),
             Failure::ViewInvalid { view, rule } => {
@@ -227,6 +262,8 @@ impl Failure {
             | Failure::Signals(_)
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
+            | Failure::ObjToStdout
+            | Failure::BadFamilySize { .. }
             | Failure::NoView { .. } => None,
             Failure::Simd(_) => {
                 let available = Simd::ALL.into_iter().filter(|simd| simd.is_available()).map(Simd::name);
@@ -236,6 +273,8 @@ impl Failure {
             Failure::ViewInvalid { rule, .. } => XmlProblem::Rule(rule.clone()).help(lang),
             Failure::NeedsRendering { .. } => Some(words::convert_needs_rendering_help(lang)),
             Failure::UnknownForm { .. } => Some(words::convert_unknown_help(lang)),
+            Failure::NeedsViews { beside, .. } => Some(export::needs_views_help(lang, beside.display())),
+            Failure::NeedsScene { .. } => Some(export::needs_scene_help(lang)),
             Failure::ViewsAsBinary => Some(words::convert_views_binary_help(lang)),
             Failure::UnknownView { nearest, count, .. } => {
                 let names: Vec<String> = nearest.iter().map(|name| words::quoted(lang, name)).collect();

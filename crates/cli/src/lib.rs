@@ -10,6 +10,7 @@ mod documents;
 mod exit;
 mod failure;
 mod flags;
+mod form;
 mod interrupt;
 mod language;
 mod progress;
@@ -66,6 +67,7 @@ fn dispatch(matches: &ArgMatches, context: &Context) -> Result<Exit, Failure> {
         Some(("convert", matches)) => commands::convert::run(matches, context),
         Some(("explain", matches)) => commands::explain::run(matches, context),
         Some(("diff", matches)) => commands::diff::run(matches, context),
+        Some(("generate", matches)) => commands::generate::run(matches, context),
         Some(("bench", matches)) => commands::bench::run(matches, context),
         Some(("schema", matches)) => commands::schema::run(matches, context),
         Some(("completions", matches)) => commands::completions::run(matches, context),

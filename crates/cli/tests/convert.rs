@@ -88,6 +88,61 @@ fn a_mesh_keeps_its_file_where_the_new_document_finds_it() {
     }
 }
 
+/// The view is named, or stands beside the scene.
+#[test]
+fn a_scene_becomes_one_of_pov_ray_with_a_view() {
+    let folder = folder();
+    let path = folder.path();
+    let losses = convert(path, &["scene.xml", "scene.pov", "--views", "view.xml", "--view", "above"]);
+    assert!(losses.contains("the composition `screen` becomes a plain sum"), "{losses}");
+    let read = |name: &str| fs::read_to_string(path.join(name)).unwrap();
+    assert!(read("scene.pov").contains("camera { perspective location <0, 5, 1>"), "{}", read("scene.pov"));
+    fs::rename(path.join("view.xml"), path.join("scene.view.xml")).unwrap();
+    assert_eq!(convert(path, &["scene.xml", "scene.pov", "--quiet"]), "");
+    assert!(read("scene.pov").contains("location <0, 1, 4>"));
+    let (code, _, said) = run(path, &["convert", "scene.xml", "scene.pov", "--view", "side"]);
+    assert!(code == 1 && said.contains("`side`"), "{said}");
+}
+
+/// What is written as OBJ or glTF is read again as the same facets with nearly the same picture.
+#[test]
+fn facetted_objects_come_back_from_obj_and_gltf() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(
+        path.join("die.xml"),
+        "<scene version='1'><material name='clay' ka='0.3 0.2 0.1' kd='0.6 0.4 0.2'/><light position='1 3 4'/>\
+         <cube center='0 0.5 0' edge='1' rotation='10 30 0' material='clay'/>\
+         <mesh material='clay' position='1 0 0' scale='0.5'><vertices>0 0 0 1 0 0 0 1 0 0 0 1</vertices>\
+         <facets>0 2 1 0 1 3 0 3 2 1 2 3</facets></mesh></scene>",
+    )
+    .unwrap();
+    for (file, tolerance) in [("die.obj", "0"), ("die.glb", "1"), ("die.gltf", "1")] {
+        let losses = convert(path, &["die.xml", file]);
+        assert!(losses.contains("lamps, ambient light and background are left out"), "{losses}");
+        let again = format!("<scene version='1'><light position='1 3 4'/><mesh src='{file}'/></scene>");
+        fs::write(
+            path.join("again.xml"),
+            again.replace(
+                "<mesh",
+                if file == "die.obj" {
+                    "<mesh"
+                } else {
+                    "<material name='clay' ka='0.3 0.2 0.1' kd='0.6 0.4 0.2'/><mesh material='clay'"
+                },
+            ),
+        )
+        .unwrap();
+        fs::write(path.join("a.ppm"), picture(path, "die.xml", "view.xml")).unwrap();
+        fs::write(path.join("b.ppm"), picture(path, "again.xml", "view.xml")).unwrap();
+        let (code, told, _) = run(path, &["diff", "a.ppm", "b.ppm", "--tolerance", tolerance]);
+        assert_eq!(code, 0, "{file}: {told}");
+    }
+    assert!(fs::read_to_string(path.join("die.obj")).unwrap().starts_with("mtllib die.mtl\no cube 1\n"));
+    let (code, _, said) = run(path, &["convert", "die.xml", "die.obj", "--lang", "fr"]);
+    assert!(code == 0 && said.contains("les sources, la lumière ambiante et le fond sont omis"), "{said}");
+}
+
 #[test]
 fn pictures_are_converted_between_their_formats() {
     let folder = folder();
@@ -115,14 +170,26 @@ fn what_cannot_be_converted_is_told() {
         (
             ["scene.xml", "scene.doc"],
             2,
-            "error: the name `scene.doc` does not say which format to write\n  help: scenes: .xml or .lancer; views: \
-             .xml; or choose with --to\n",
+            "error: the name `scene.doc` does not say which format to write\n  help: scenes: .xml, .lancer, \
+             .pov, .obj, .gltf or .glb; views: .xml; or choose with --to\n",
         ),
         (
             ["scene.xml", "scene"],
             2,
-            "error: the name `scene` does not say which format to write\n  help: scenes: .xml or .lancer; views: .xml; \
-             or choose with --to\n",
+            "error: the name `scene` does not say which format to write\n  help: scenes: .xml, .lancer, .pov, \
+             .obj, .gltf or .glb; views: .xml; or choose with --to\n",
+        ),
+        (
+            ["scene.xml", "scene.pov"],
+            1,
+            "error: `scene.pov` needs a camera, but no view is given\n  help: name the document of the views: --views \
+             FILE; without it, `scene.view.xml` beside the scene is taken if it is there\n",
+        ),
+        (
+            ["view.xml", "view.glb"],
+            1,
+            "error: `view.glb` holds objects, but the input is a document of views\n  help: give the scene as IN, and \
+             the views with --views FILE\n",
         ),
         (
             ["nothing.xml", "scene.lancer"],

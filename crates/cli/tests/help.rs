@@ -5,7 +5,8 @@ mod common;
 
 use common::{folder, outcome, run};
 
-const COMMANDS: [&str; 9] = ["show", "check", "convert", "explain", "diff", "bench", "schema", "completions", "man"];
+const COMMANDS: [&str; 10] =
+    ["show", "check", "convert", "explain", "diff", "generate", "bench", "schema", "completions", "man"];
 
 #[test]
 fn every_command_has_help_in_both_languages() {

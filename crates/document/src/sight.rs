@@ -1,6 +1,6 @@
 //! What a view looks at: the directions of its picture, and the point that new things stand at and the eye turns around.
 
-use lancer_scene::{DVec3, Scene, Screen, ScreenSpec, View};
+use lancer_scene::{DVec3, Extents, Scene, Screen, ScreenSpec, View};
 use lancer_trace::{Camera, Picked, World};
 
 /// The directions of a view's picture in space.
@@ -85,7 +85,9 @@ pub fn focus(view: &View, scene: &Scene, world: Option<&World>) -> Focus {
 
 /// The distance along the middle ray to the middle of all bounded objects in front of the eye.
 fn depth_of(scene: &Scene, sight: &Sight) -> Option<f64> {
-    let bounds = scene.objects.iter().filter(|object| object.visible).filter_map(|object| object.shape.bounds());
+    let mut extents = Extents::default();
+    let visible = scene.objects.iter().filter(|object| object.visible);
+    let bounds = visible.filter_map(|object| extents.of(&object.shape));
     let (low, high) = bounds.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
     let distance = ((low + high) * 0.5 - sight.eye).dot(sight.middle);
     (distance > 0.0).then_some(distance)

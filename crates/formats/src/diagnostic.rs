@@ -148,5 +148,6 @@ problems! {
     Binary(crate::binary::BinaryProblem),
     Mesh(crate::mesh::MeshProblem),
     Picture(crate::picture::PictureProblem),
+    Export(crate::export::Loss),
     Lint(Finding),
 }

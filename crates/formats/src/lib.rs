@@ -5,6 +5,7 @@
 
 pub mod binary;
 pub mod diagnostic;
+pub mod export;
 mod finding;
 pub mod load;
 pub mod mesh;

@@ -2,6 +2,7 @@
 
 use crate::{MaterialRef, Placement};
 use glam::DVec3;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A mesh as it stands in a scene: shared geometry and a placement.
@@ -67,18 +68,7 @@ impl Mesh {
     /// The vertices that some facet uses, where the placement brings them.
     pub(crate) fn used_positions(&self) -> impl Iterator<Item = DVec3> {
         let linear = self.placement.linear();
-        let mut used = vec![false; self.geometry.positions.len()];
-        for &vertex in self.geometry.facets.iter().flatten() {
-            if let Some(used) = used.get_mut(vertex as usize) {
-                *used = true;
-            }
-        }
-        self.geometry
-            .positions
-            .iter()
-            .zip(used)
-            .filter(|(_, used)| *used)
-            .map(move |(&position, _)| linear * position + self.placement.position)
+        self.geometry.used_positions().map(move |position| linear * position + self.placement.position)
     }
 
     /// Whether the mesh encloses a volume, with the orientation it has after placement: a mirroring scale turns it.
@@ -102,6 +92,17 @@ impl Enclosure {
 }
 
 impl MeshGeometry {
+    /// The vertices that some facet uses.
+    pub(crate) fn used_positions(&self) -> impl Iterator<Item = DVec3> {
+        let mut used = vec![false; self.positions.len()];
+        for &vertex in self.facets.iter().flatten() {
+            if let Some(used) = used.get_mut(vertex as usize) {
+                *used = true;
+            }
+        }
+        self.positions.iter().zip(used).filter(|(_, used)| *used).map(|(&position, _)| position)
+    }
+
     /// For each vertex the number of the first vertex at the same place.
     pub fn merged_vertices(&self) -> Vec<u32> {
         // Adding zero makes -0 and 0 the same place.
@@ -141,6 +142,25 @@ impl MeshGeometry {
             })
             .sum();
         Enclosure::Volume { inverted: six_volumes < 0.0 }
+    }
+
+    /// A normal for each vertex before placement, not of unit length: the file's, or else at each place the sum of
+    /// `P0P1 × P0P2` of the facets there, so that each counts by its area. Facets whose vertices do not exist are left
+    /// out.
+    pub fn smooth_normals(&self) -> Cow<'_, [DVec3]> {
+        if self.normals.len() == self.positions.len() {
+            return Cow::Borrowed(&self.normals);
+        }
+        let merged = self.merged_vertices();
+        let mut sums = vec![DVec3::ZERO; self.positions.len()];
+        let exists = |facet: &&[u32; 3]| facet.iter().all(|&vertex| (vertex as usize) < self.positions.len());
+        for facet in self.facets.iter().filter(exists) {
+            let normal = self.area_vector(*facet);
+            for vertex in facet {
+                sums[merged[*vertex as usize] as usize] += normal;
+            }
+        }
+        Cow::Owned(merged.iter().map(|&place| sums[place as usize]).collect())
     }
 
     /// `P0P1 × P0P2`: twice the facet's area, along its normal. The facet's vertices must exist.

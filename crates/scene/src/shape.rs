@@ -131,7 +131,7 @@ impl Shape {
 }
 
 /// The least and greatest corner over all points.
-fn hull(points: impl IntoIterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
+pub(crate) fn hull(points: impl IntoIterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
     points.into_iter().fold(None, |hull, point| match hull {
         None => Some((point, point)),
         Some((low, high)) => Some((low.min(point), high.max(point))),

@@ -245,8 +245,11 @@ impl Shape {
         self.geometry().map_or(Ok(()), |geometry| geometry.check())
     }
 
-    /// Checks all but a mesh's geometry.
-    fn check_instance(&self) -> Result<(), Invalid> {
+    /// Checks all but a mesh's geometry, which objects may share.
+    ///
+    /// # Errors
+    /// The first rule that the shape breaks.
+    pub fn check_instance(&self) -> Result<(), Invalid> {
         match self {
             Shape::Sphere { center, radius } => {
                 point("center", *center)?;

@@ -81,6 +81,29 @@ fn there_is_as_much_as_the_size_says() {
     }
     assert_eq!(counts(&scene(Family::Course, 1)), (3, 0));
     assert_eq!(scene(Family::Nest, 7).objects.len(), 1 + 7 + 3);
+    for size in [1, 2, 4] {
+        let points = size as usize + 1;
+        let lattice = scene(Family::Lattice, size);
+        assert_eq!(counts(&lattice).0, points.pow(3));
+        assert_eq!(lattice.objects.len(), points.pow(3) + 6 * size as usize * points.pow(2));
+    }
+    for (size, squares) in [(0, 6), (1, 72), (2, 1056), (3, 18_048)] {
+        assert_eq!(counts(&scene(Family::Sponge, size)), (0, 2 * squares));
+    }
+}
+
+/// The volume of the sponge is `8·(20/27)ⁿ`, by the divergence theorem over its facets.
+#[test]
+fn the_sponge_has_the_volume_of_the_sponge() {
+    for size in 0..=3 {
+        let sponge = scene(Family::Sponge, size);
+        let (_, mesh) = meshes(&sponge).next().unwrap();
+        let corner = |vertex: u32| mesh.geometry.positions[vertex as usize];
+        let of = |&[a, b, c]: &[u32; 3]| corner(a).cross(corner(b)).dot(corner(c)) / 6.0;
+        let volume: f64 = mesh.geometry.facets.iter().map(of).sum();
+        let expected = 8.0 * (20.0_f64 / 27.0).powi(size as i32);
+        assert!((volume - expected).abs() < 1e-5, "{size}: {volume} {expected}");
+    }
 }
 
 /// The sizes that measurements speak of.
@@ -126,6 +149,9 @@ fn closed_bodies_are_closed_and_face_outwards_and_landscapes_are_sheets() {
         (Family::Pebble, 1, solid),
         (Family::Pebble, 2, solid),
         (Family::Pebble, 31, solid),
+        (Family::Sponge, 0, solid),
+        (Family::Sponge, 1, solid),
+        (Family::Sponge, 3, solid),
         (Family::Tetrahedron, 1, solid),
         (Family::Tetrahedron, 5, solid),
         (Family::Field, 20, Enclosure::Sheet),
@@ -141,8 +167,9 @@ fn closed_bodies_are_closed_and_face_outwards_and_landscapes_are_sheets() {
 /// What holds 32 bits only traces the same facets.
 #[test]
 fn vertices_have_32_bits() {
-    for family in [Family::Tetrahedron, Family::Mountain, Family::Field, Family::Knot, Family::Pebble] {
-        for (_, mesh) in meshes(&scene(family, 5)) {
+    let families = [Family::Tetrahedron, Family::Mountain, Family::Field, Family::Knot, Family::Pebble, Family::Sponge];
+    for family in families {
+        for (_, mesh) in meshes(&scene(family, 4)) {
             let coordinates = mesh.geometry.positions.iter().flat_map(|position| position.to_array());
             assert!(coordinates.into_iter().all(|value| f64::from(value as f32) == value), "{family:?}");
             assert!(mesh.geometry.facets.iter().all(|facet| facet[0] != facet[1] && facet[1] != facet[2]));
@@ -199,7 +226,10 @@ fn checksum(scene: &Scene) -> u64 {
             Shape::Cube { center, edge, rotation } => {
                 center.to_array().into_iter().chain(rotation.to_array()).chain([*edge]).for_each(&mut add);
             }
-            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } | Shape::Cone { .. } => {}
+            Shape::Cone { base, top, base_radius, top_radius, .. } => {
+                base.to_array().into_iter().chain(top.to_array()).chain([*base_radius, *top_radius]).for_each(&mut add);
+            }
+            Shape::Plane { .. } | Shape::Facet { .. } | Shape::Parallelepiped { .. } => {}
         }
     }
     sum
@@ -216,6 +246,8 @@ fn the_same_size_is_the_same_scene_on_every_machine() {
         (Family::Knot, 12, 0x777e_9380_c3ae_9907),
         (Family::Pebble, 12, 0xef52_a2bc_a0b1_a809),
         (Family::Nest, 12, 0x32c0_923c_033f_41b6),
+        (Family::Lattice, 3, 0x2e36_cff7_9f03_1065),
+        (Family::Sponge, 2, 0xc0f4_bfdb_e30f_f379),
     ];
     let found = sums.map(|(family, size, _)| {
         let (first, second) = (scene(family, size), scene(family, size));

@@ -1,6 +1,7 @@
 //! What the command-line program says: its help, its failures, its tables.
 
 pub mod bench;
+pub mod generate;
 pub mod help;
 pub mod usage;
 
@@ -202,8 +203,8 @@ phrases! {
     }
     /// What to do.
     convert_unknown_help() {
-        "scenes: .xml or .lancer; views: .xml; or choose with --to",
-        "scènes : .xml ou .lancer ; vues : .xml ; ou choisissez avec --to",
+        "scenes: .xml, .lancer, .pov, .obj, .gltf or .glb; views: .xml; or choose with --to",
+        "scènes : .xml, .lancer, .pov, .obj, .gltf ou .glb ; vues : .xml ; ou choisissez avec --to",
     }
     /// Views have no binary form.
     convert_views_binary() {

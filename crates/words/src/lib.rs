@@ -19,6 +19,7 @@ pub mod binary;
 pub mod cli;
 pub mod engine;
 pub mod explain;
+pub mod export;
 pub mod file;
 mod lang;
 pub mod lint;

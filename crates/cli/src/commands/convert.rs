@@ -1,29 +1,21 @@
 //! `lancer convert IN OUT`: a scene or views to another document format, or a picture to another picture format.
 
+use crate::console::Console;
 use crate::documents::{self, Content};
+use crate::form::{Form, Written};
 use crate::{Context, Exit, Failure, flags, target};
-use clap::{ArgMatches, Command};
+use clap::{ArgMatches, Command, value_parser};
 use lancer_formats::load::{FolderOfDocument, LoadOptions};
 use lancer_formats::mesh::MeshFiles;
-use lancer_formats::n7_2009::{self, Loss, N7Problem};
+use lancer_formats::n7_2009;
 use lancer_formats::picture::{self, Format};
-use lancer_formats::{Diagnostic, Source, binary, nff, save, xml};
-use lancer_scene::{Mesh, Object, Scene, Shape};
+use lancer_formats::{nff, save, xml};
+use lancer_scene::{Mesh, Object, Scene, Shape, View};
 use lancer_words::Lang;
 use lancer_words::cli::help;
-use std::path::Path;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// A format that a document can be written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
-    /// The native documents.
-    Xml,
-    /// The binary scenes.
-    Binary,
-    /// The documents of 2009.
-    Of2009,
-}
 
 /// What the command line asks to be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,9 +34,13 @@ pub(crate) fn command(lang: Lang) -> Command {
         .args([
             flags::option("to", lang, help::convert_to_help(lang))
                 .value_name(help::form_value(lang))
-                .value_parser(["xml", "binary", "2009"])
+                .value_parser(["xml", "binary", "2009", "pov", "gltf", "glb"])
                 .hide_possible_values(true),
             flags::switch("binary", lang, help::binary_help(lang)).conflicts_with("to"),
+            flags::option("views", lang, help::convert_views_help(lang))
+                .value_name(help::file_value(lang))
+                .value_parser(value_parser!(PathBuf)),
+            flags::view_name(lang),
             flags::quiet(lang),
             flags::allow_outside(lang),
         ])
@@ -68,30 +64,45 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         Wanted::Document(form) => form,
     };
     let mut document = documents::read(input, &options)?;
-    if output.to_string_lossy().ends_with(".view.xml") && nff::is_nff(document.source.text.as_bytes()) {
-        // one file is scene and views: the output's name says which of them is meant
+    // one file is scene and views
+    let is_both = nff::is_nff(document.source.text.as_bytes());
+    if output.to_string_lossy().ends_with(".view.xml") && is_both {
+        // the output's name says which of them is meant
         document = documents::read_views(input, &options)?;
     }
-    let (bytes, losses) = match (document.accepted(&console)?, form) {
-        (Content::Scene(scene), Form::Xml) => {
-            (xml::write_scene(&with_files_of(output, &scene, options)).into_bytes(), Vec::new())
+    let written = match (document.accepted(&console)?, form) {
+        (Content::Scene(scene), form) => {
+            let scene = if form == Form::Xml { with_files_of(output, &scene, options) } else { scene };
+            form.of_scene(&scene, output, || camera(matches, is_both, &options, &console))?
         }
-        (Content::Scene(scene), Form::Binary) => (binary::write_scene(&scene), Vec::new()),
-        (Content::Scene(scene), Form::Of2009) => written(n7_2009::write_scene(&scene)),
-        (Content::Views(views), Form::Xml) => (xml::write_views(&views).into_bytes(), Vec::new()),
+        (Content::Views(views), Form::Xml) => Written::whole(xml::write_views(&views).into_bytes()),
         (Content::Views(_), Form::Binary) => return Err(Failure::ViewsAsBinary),
-        (Content::Views(views), Form::Of2009) => written(n7_2009::write_views(&views)),
+        (Content::Views(views), Form::Of2009) => Written::of_2009(n7_2009::write_views(&views)),
+        (Content::Views(_), Form::Povray | Form::Obj | Form::Gltf(_)) => {
+            return Err(Failure::NeedsScene { path: output.to_owned() });
+        }
     };
-    let source = Source { name: output.display().to_string().into(), text: "".into() };
-    documents::tell(&source, &losses, &console);
-    target::write_document(output, context, &bytes)?;
-    Ok(Exit::Done)
+    written.save(output, &Context { console, ..context.clone() }).map(|()| Exit::Done)
 }
 
-/// A document of 2009 and what it cannot hold.
-fn written((text, losses): (String, Vec<Loss>)) -> (Vec<u8>, Vec<Diagnostic>) {
-    let warning = |loss| Diagnostic::warning(None, N7Problem::Loss(loss));
-    (text.into_bytes(), losses.into_iter().map(warning).collect())
+/// The view that a scene with a camera gets: of the views that are named, of those of the scene's own file if it is both,
+/// or of those beside the scene.
+fn camera(matches: &ArgMatches, is_both: bool, options: &LoadOptions, console: &Console) -> Result<View, Failure> {
+    let (input, output) = (flags::path_of(matches, "in"), flags::path_of(matches, "out"));
+    let path = match matches.get_one::<PathBuf>("views") {
+        Some(path) => path.clone(),
+        None if is_both => input.to_owned(),
+        None => {
+            let beside = input.with_extension("view.xml");
+            if target::is_standard(input) || !beside.is_file() {
+                return Err(Failure::NeedsViews { path: output.to_owned(), beside });
+            }
+            beside
+        }
+    };
+    let views = documents::views(&path, options, console)?;
+    let name = matches.get_one::<String>("view").map(String::as_str);
+    documents::view(&views, name, &path).map(|view| View::clone(view))
 }
 
 /// What is to be written, by `--to` or the extension of the output.
@@ -100,12 +111,13 @@ fn wanted(matches: &ArgMatches, output: &Path) -> Result<Wanted, Failure> {
         return Ok(Wanted::Document(match form.as_str() {
             "binary" => Form::Binary,
             "2009" => Form::Of2009,
-            _ => Form::Xml,
+            other => Form::of_extension(other).unwrap_or(Form::Xml),
         }));
     }
-    match output.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase()).as_deref() {
-        Some("xml") => Ok(Wanted::Document(Form::Xml)),
-        Some("lancer") => Ok(Wanted::Document(Form::Binary)),
+    if let Some(form) = Form::of_path(output) {
+        return Ok(Wanted::Document(form));
+    }
+    match output.extension() {
         None if target::is_standard(output) => Ok(Wanted::Document(Form::Xml)),
         Some(_) => match Format::of_path(output, matches.get_flag("binary")) {
             Ok(format) => Ok(Wanted::Picture(format)),
@@ -119,10 +131,13 @@ fn wanted(matches: &ArgMatches, output: &Path) -> Result<Wanted, Failure> {
 /// new document's folder, is the same mesh; elsewhere its vertices are written out.
 fn with_files_of(output: &Path, scene: &Scene, options: LoadOptions) -> Scene {
     let mut files = FolderOfDocument::new(output, options);
+    let mut compared = HashMap::new();
     let mut is_there = |mesh: &Mesh, path: &str, has_material: bool| {
-        files.read(path).is_ok_and(|file| match has_material {
-            true => *file.without_materials() == *mesh.geometry,
-            false => *file.geometry == *mesh.geometry,
+        files.read(path).is_ok_and(|file| {
+            let geometry = if has_material { file.without_materials() } else { file.geometry };
+            // what many objects share is compared once
+            let pair = [Arc::as_ptr(&geometry), Arc::as_ptr(&mesh.geometry)];
+            *compared.entry(pair).or_insert_with(|| geometry == mesh.geometry)
         })
     };
     let objects = scene.objects.iter().map(|object| match &object.shape {

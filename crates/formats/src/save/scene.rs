@@ -5,8 +5,9 @@ use crate::load::{FolderOfDocument, LoadOptions};
 use crate::mesh::MeshFiles;
 use crate::xml::Document;
 use crate::{binary, xml};
-use lancer_scene::{MaterialRef, Mesh, Object, Scene, Shape};
+use lancer_scene::{MaterialRef, Mesh, MeshGeometry, Object, Scene, Shape};
 use lancer_words::{Lang, file as words};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -102,9 +103,11 @@ pub fn save_scene(
 /// The scene with names of mesh files that are right from a document at `path`.
 fn with_meshes_found(scene: &Scene, path: &Path, origin: Option<&Path>, options: LoadOptions) -> Scene {
     let mut files = FolderOfDocument::new(path, options);
+    // what many objects share is compared once
+    let mut compared = HashMap::new();
     let mut found = |object: &Arc<Object>| match &object.shape {
         Shape::Mesh(mesh) => {
-            let source = name_found(mesh, &object.material, &mut files, path, origin);
+            let source = name_found(mesh, &object.material, (&mut files, &mut compared), path, origin);
             if source == mesh.source {
                 return Arc::clone(object);
             }
@@ -125,7 +128,7 @@ fn with_meshes_found(scene: &Scene, path: &Path, origin: Option<&Path>, options:
 fn name_found(
     mesh: &Mesh,
     material: &MaterialRef,
-    files: &mut FolderOfDocument,
+    (files, compared): (&mut FolderOfDocument, &mut HashMap<[*const MeshGeometry; 2], bool>),
     path: &Path,
     origin: Option<&Path>,
 ) -> Option<Arc<str>> {
@@ -136,7 +139,8 @@ fn name_found(
                 MaterialRef::Default => file.geometry,
                 MaterialRef::Named(_) | MaterialRef::Inline(_) => file.without_materials(),
             };
-            geometry == mesh.geometry
+            let pair = [Arc::as_ptr(&geometry), Arc::as_ptr(&mesh.geometry)];
+            *compared.entry(pair).or_insert_with(|| geometry == mesh.geometry)
         })
     };
     if leads_to_it(name) {

@@ -4,7 +4,7 @@ use super::materials::OwnSurfaces;
 use super::number::rounded;
 use super::table::{Cell, Table};
 use super::{COLUMNS, clean, row};
-use lancer_scene::{DVec3, Enclosure, MaterialRef, Mesh, MeshGeometry, Object, Placement, Scene, Shape};
+use lancer_scene::{DVec3, Enclosure, Extents, MaterialRef, Mesh, MeshGeometry, Object, Placement, Scene, Shape};
 use lancer_words::{Lang, number as count, term, text as words};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -32,6 +32,7 @@ pub(super) fn lines(scene: &Scene, lang: Lang) -> Vec<String> {
     }
     let indent = table.width() + 3;
     let mut geometries = geometry_lines(scene, lang, COLUMNS.saturating_sub(indent));
+    let mut extents = Extents::default();
     let mut lines = table.lines().into_iter();
     let beside = |line: String, right: &str| format!("{line}{:1$}{right}", "", indent - line.width());
     let mut text: Vec<String> = lines.next().map(|line| beside(line, &term::geometry(lang))).into_iter().collect();
@@ -40,7 +41,9 @@ pub(super) fn lines(scene: &Scene, lang: Lang) -> Vec<String> {
         text.push(beside(line, &geometry.next().unwrap_or_default()));
         text.extend(geometry.map(|line| beside(String::new(), &line)));
         if let Shape::Mesh(mesh) = &object.shape {
-            for (label, items) in mesh_details(mesh, &|material| own.label(material, &object.name, lang), lang) {
+            let bounds = extents.of(&object.shape);
+            let material = |material: &MaterialRef| own.label(material, &object.name, lang);
+            for (label, items) in mesh_details(mesh, bounds, &material, lang) {
                 text.extend(wrapped(&label, &items, indent));
             }
         }
@@ -164,10 +167,15 @@ fn mesh_fields(geometry: &MeshGeometry, enclosure: Enclosure, lang: Lang) -> Vec
 }
 
 /// What stands below a mesh: each entry a label and items that may be broken into lines.
-fn mesh_details(mesh: &Mesh, material: &dyn Fn(&MaterialRef) -> String, lang: Lang) -> Vec<(String, Vec<String>)> {
+fn mesh_details(
+    mesh: &Mesh,
+    bounds: Option<(DVec3, DVec3)>,
+    material: &dyn Fn(&MaterialRef) -> String,
+    lang: Lang,
+) -> Vec<(String, Vec<String>)> {
     let Mesh { geometry, source, placement, smooth } = mesh;
     let mut details = Vec::new();
-    if let Some((low, high)) = Shape::Mesh(mesh.clone()).bounds() {
+    if let Some((low, high)) = bounds {
         // They are computed, and four digits are enough to know where the mesh is.
         let [x, y, z] = [0, 1, 2].map(|axis| (rounded(low[axis], 4), rounded(high[axis], 4)));
         details.push((words::bounds(lang, x.0, x.1, y.0, y.1, z.0, z.1), vec![]));

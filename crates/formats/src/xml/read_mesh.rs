@@ -69,8 +69,15 @@ pub(super) fn mesh<'d>(
         },
         smooth: fields.flag("smooth")?,
     };
+    let (geometry, is_inline) = (Arc::clone(&mesh.geometry), mesh.source.is_none());
     let shape = Shape::Mesh(mesh);
-    match shape.check() {
+    // what a file holds is looked through once; there are few files, though many objects may show them
+    let is_known = reader.sound.contains_key(&Arc::as_ptr(&geometry));
+    let rule = shape.check_instance().and_then(|()| if is_known { Ok(()) } else { geometry.check() });
+    if rule.is_ok() && !is_known && !is_inline {
+        reader.sound.insert(Arc::as_ptr(&geometry), geometry);
+    }
+    match rule {
         Err(rule @ Invalid::PartRange { part, .. }) => {
             let part = elements.parts.get(part).copied();
             let span = part.and_then(|part| Some(part.attribute("facets")?.value_span));

@@ -11,8 +11,8 @@ use super::{Document, Element, Excerpt, StructureProblem};
 use crate::mesh::MeshFiles;
 use crate::{Outcome, Span};
 use lancer_scene::{
-    Compose, Environment, Highlight, Material, MaterialRef, Name, NameKind, Object, PointLight, Reflectance, Scene,
-    Shape, Surface,
+    Compose, Environment, Highlight, Material, MaterialRef, MeshGeometry, Name, NameKind, Object, PointLight,
+    Reflectance, Scene, Shape, Surface,
 };
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -43,6 +43,8 @@ pub(super) struct SceneReader<'d, 's, 'f> {
     names: HashMap<Name, Span>,
     /// The uses of materials that do not stand further up, checked when all materials are known.
     references: Vec<(Name, Span)>,
+    /// The geometries of files that keep the rules: many objects may show one.
+    pub(super) sound: HashMap<*const MeshGeometry, Arc<MeshGeometry>>,
 }
 
 impl<'d> SceneReader<'d, '_, '_> {
@@ -57,7 +59,7 @@ impl<'d> SceneReader<'d, '_, '_> {
         }
         let root = document.root();
         let (materials, names) = (HashMap::new(), HashMap::new());
-        let mut reader = SceneReader { sink, files, materials, names, references: Vec::new() };
+        let mut reader = SceneReader { sink, files, materials, names, references: Vec::new(), sound: HashMap::new() };
         let fields = Fields::read(root, &SCENE, Stands::AtRoot, reader.sink);
         let name = fields.text_of("name").map(|(name, _)| name.to_owned()).unwrap_or_default();
 

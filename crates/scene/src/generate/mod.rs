@@ -9,12 +9,14 @@ mod course;
 mod field;
 mod grid;
 mod knot;
+mod lattice;
 mod mountain;
 mod nest;
 mod noise;
 mod pebble;
 mod random;
 mod sphereflake;
+mod sponge;
 mod tetrahedron;
 
 pub use random::Random;
@@ -47,11 +49,15 @@ pub enum Family {
     Pebble,
     /// Glass within glass, balls and cubes in turn; the size is how many.
     Nest,
+    /// Balls at the points of a lattice in space, and struts between them; the size is its cells along an edge.
+    Lattice,
+    /// Menger's sponge; the size is how often its middles are taken away.
+    Sponge,
 }
 
 impl Family {
     /// Every family, in the order in which lists show them.
-    pub const ALL: [Family; 8] = [
+    pub const ALL: [Family; 10] = [
         Family::Course,
         Family::Sphereflake,
         Family::Tetrahedron,
@@ -60,6 +66,8 @@ impl Family {
         Family::Knot,
         Family::Pebble,
         Family::Nest,
+        Family::Lattice,
+        Family::Sponge,
     ];
 
     /// The word for it on a command line.
@@ -73,6 +81,8 @@ impl Family {
             Family::Knot => "knot",
             Family::Pebble => "pebble",
             Family::Nest => "nest",
+            Family::Lattice => "lattice",
+            Family::Sponge => "sponge",
         }
     }
 
@@ -87,6 +97,8 @@ impl Family {
             Family::Knot => 3..=500,
             Family::Pebble => 1..=500,
             Family::Nest => 1..=12,
+            Family::Lattice => 1..=40,
+            Family::Sponge => 0..=4,
         }
     }
 
@@ -100,6 +112,8 @@ impl Family {
             Family::Knot => 100,
             Family::Pebble => 59,
             Family::Nest => 6,
+            Family::Lattice => 4,
+            Family::Sponge => 3,
         }
     }
 
@@ -122,6 +136,8 @@ impl Family {
             Family::Knot => knot::knot(size),
             Family::Pebble => pebble::pebble(size),
             Family::Nest => nest::nest(size),
+            Family::Lattice => lattice::lattice(size),
+            Family::Sponge => sponge::sponge(size),
         })
     }
 }

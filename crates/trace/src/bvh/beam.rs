@@ -307,8 +307,10 @@ impl<'b, L: Lanes> Beam<'b, L> {
         }
     }
 
-    /// The packets of which some ray meets a child's box. Ray by ray it is only asked where few packets are left, which
-    /// bounds the work, at leaves, where more depends on it, and of wide packets.
+    /// The packets of which some ray meets a child's box. Ray by ray all are only asked where few packets are left, which
+    /// bounds the work, at leaves, where more depends on it, and wide ones; of others, one after the other until one meets
+    /// it. So a large box costs one question, and a box between the rays, of which a mesh seen from afar is full, is left
+    /// out.
     #[inline(always)]
     fn refined(&self, mut packets: u8, wide: u8, alone: bool, node: &Node, child: usize) -> u8 {
         let each = packets.count_ones() <= FEW || node.children[child].is_leaf();
@@ -319,6 +321,12 @@ impl<'b, L: Lanes> Beam<'b, L> {
             if !known && self.rays_meet(packet, node, child) == 0 {
                 packets &= !(1 << packet);
             }
+        }
+        for packet in lanes(packets & !asked) {
+            if self.rays_meet(packet, node, child) != 0 {
+                break;
+            }
+            packets &= !(1 << packet);
         }
         packets
     }

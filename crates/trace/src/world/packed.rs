@@ -75,25 +75,12 @@ impl Packed {
         self.build_time
     }
 
-    /// A normal for each vertex before placement, not of unit length: the file's, or else at each place the sum of
-    /// `P0P1 × P0P2` of the facets there, so that each counts by its area.
+    /// A normal for each vertex before placement, not of unit length.
     pub(crate) fn smooth_normals(&self) -> &[DVec3] {
         if self.geometry.normals.len() == self.geometry.positions.len() {
             return &self.geometry.normals;
         }
-        self.smooth_normals.get_or_init(|| {
-            let MeshGeometry { positions, facets, .. } = &*self.geometry;
-            let merged = self.geometry.merged_vertices();
-            let mut sums = vec![DVec3::ZERO; positions.len()];
-            for facet in &facets[..self.len as usize] {
-                let [a, b, c] = facet.map(|vertex| positions[vertex as usize]);
-                let normal = (b - a).cross(c - a);
-                for vertex in facet {
-                    sums[merged[*vertex as usize] as usize] += normal;
-                }
-            }
-            merged.iter().map(|&place| sums[place as usize]).collect()
-        })
+        self.smooth_normals.get_or_init(|| self.geometry.smooth_normals().into_owned())
     }
 
     /// What the facets enclose before placement.

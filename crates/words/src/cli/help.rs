@@ -248,14 +248,19 @@ la sortie d'erreur si l'image va sur la sortie standard",
     convert_in_help() { "A scene, views or a picture", "Une scène, des vues ou une image" }
     /// OUT of convert
     convert_out_help() {
-        "The file to write; its extension picks the format",
-        "Le fichier à écrire ; son extension choisit le format",
+        "The file to write; its extension picks the format: scenes xml, lancer, pov (POV-Ray), obj with its mtl, gltf, glb; views xml; or that of a picture",
+        "Le fichier à écrire ; son extension choisit le format : scènes xml, lancer, pov (POV-Ray), obj avec son mtl, gltf, glb ; vues xml ; ou celui d'une image",
+    }
+    /// --views of convert
+    convert_views_help() {
+        "The views of the scene, for a format that holds a camera (pov); where none is given, those beside it: scene.view.xml with scene.xml",
+        "Les vues de la scène, pour un format qui contient une caméra (pov) ; sinon celles à côté d'elle : scène.view.xml avec scène.xml",
     }
     /// --to of convert
     convert_to_help() {
-        "The format of a scene or of views instead of the extension's: xml, binary, or 2009 for the documents of 2009",
-        "Le format d'une scène ou de vues au lieu de celui de l'extension : xml, binary (binaire), ou 2009 pour les \
-documents de 2009",
+        "The format of a scene or of views instead of the extension's: xml, binary, 2009 for the documents of 2009, pov, gltf or glb",
+        "Le format d'une scène ou de vues au lieu de celui de l'extension : xml, binary (binaire), 2009 pour les \
+documents de 2009, pov, gltf ou glb",
     }
     /// X of explain
     x_help() { "The pixel's column, from 0 at the left", "La colonne du pixel, à partir de 0 à gauche" }

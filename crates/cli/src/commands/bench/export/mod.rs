@@ -4,7 +4,6 @@
 //! docs/performance.md says what each file holds; `scenes.json` lists them.
 
 mod facets;
-mod povray;
 mod rays;
 mod tachyon;
 
@@ -12,7 +11,7 @@ use super::case::Case;
 use super::measure::{camera_and_lamp, generated, primitives};
 use super::rays::RaySets;
 use crate::{Context, Failure, console, target};
-use lancer_formats::{binary, save, xml};
+use lancer_formats::{binary, export, save, xml};
 use lancer_scene::{Compose, DVec3, Environment, MeshGeometry, Scene, Shape, View, Views};
 use lancer_trace::World;
 use rayon::ThreadPool;
@@ -104,7 +103,7 @@ fn entry(folder: &Path, case: Case, size: (u32, u32), pool: &ThreadPool, context
             false => write("lancer", &|out| out.write_all(&binary::write_scene(&scene)))?,
         },
         view: write("view.xml", &|out| out.write_all(xml::write_views(&views).as_bytes()))?,
-        povray: write("pov", &|out| povray::write(&scene, &view, out))?,
+        povray: write("pov", &|out| export::write_povray(&scene, &view, out))?,
         tachyon: write("dat", &|out| tachyon::write(&scene, &view, out))?,
         facets,
         rays,
