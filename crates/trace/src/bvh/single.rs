@@ -131,7 +131,7 @@ impl Waiting {
         let mut kept = 1;
         for place in 1..count.min(OPEN) {
             (self.near[kept], self.child[kept]) = (self.near[place], self.child[place]);
-            kept += usize::from(!(self.near[place] > limit * LONGER));
+            kept += usize::from(self.near[place] <= limit * LONGER);
         }
         kept
     }

@@ -125,7 +125,9 @@ impl<L: Backend> Follow for Leaves<'_, L> {
                 if sure && high[place] < found.low[lane] {
                     (found.nearest[lane], found.low[lane]) = (number, low[place]);
                     limit = if high[place] < limit { high[place] } else { limit };
-                } else if !(low[place] > limit) {
+                } else if low[place] > limit {
+                    // something surely nearer is known
+                } else {
                     let mut met = limit;
                     let place = found.place;
                     L::enter(TryRay { leaves: self, place, lane, number, met: &mut met });

@@ -162,6 +162,7 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
         let extent = leaves.facets.bvh().extent();
         for blocks in leaves.facets.blocks()[blocks.start as usize..blocks.end as usize].chunks(2) {
             let there = if blocks.len() == 1 { 0x0f } else { 0xff };
+            #[allow(clippy::manual_map, reason = "closures are not compiled for a backend")]
             let seen = match &leaves.eye {
                 Some(eye) => Some(Seen::of::<B>(eye, blocks)),
                 None => None,
