@@ -158,6 +158,14 @@ pub(crate) fn read(path: &Path, options: &LoadOptions) -> Result<Document, Failu
     if !scene.diagnostics.iter().any(is_views) || path == Path::new(STANDARD) {
         return Ok(Document::of(path, scene, Content::Scene));
     }
+    read_views(path, options)
+}
+
+/// Reads the views of a file that holds a scene too.
+///
+/// # Errors
+/// A file that cannot be read.
+pub(crate) fn read_views(path: &Path, options: &LoadOptions) -> Result<Document, Failure> {
     Ok(Document::of(path, load::load_views(path, options).map_err(Failure::Load)?, Content::Views))
 }
 

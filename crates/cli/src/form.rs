@@ -115,8 +115,8 @@ impl Written {
         let source = Source { name: output.display().to_string().into(), text: "".into() };
         documents::tell(&source, &self.losses, &context.console);
         if let Some((path, bytes)) = &self.beside {
-            target::write(path, context, |out| out.write_all(bytes))?;
+            target::write_document(path, context, bytes)?;
         }
-        target::write(output, context, |out| out.write_all(&self.bytes))
+        target::write_document(output, context, &self.bytes)
     }
 }

@@ -59,7 +59,7 @@ fn may_stand_in_a_file_name(c: char) -> bool {
     !c.is_control() && !matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|')
 }
 
-/// Writes a file, unless the program is asked to stop before it is whole.
+/// Writes a file that can be computed again, unless the program is asked to stop before it is whole.
 ///
 /// # Errors
 /// Why it cannot be written. That the reader of a pipe went away is none: it has seen enough.
@@ -68,7 +68,24 @@ pub(crate) fn write(
     context: &Context,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let save = || save::save(path, |out| write(&mut Heeding { out, cancel: &context.cancel }));
+    unless_stopped(path, context, || {
+        save::save_output(path, |out| write(&mut Heeding { out, cancel: &context.cancel }))
+    })
+}
+
+/// Writes somebody's document: it is on the disk before what it replaces is gone.
+///
+/// # Errors
+/// Those of [`write`].
+pub(crate) fn write_document(path: &Path, context: &Context, bytes: &[u8]) -> Result<(), Failure> {
+    unless_stopped(path, context, || save::save(path, |out| Heeding { out, cancel: &context.cancel }.write_all(bytes)))
+}
+
+fn unless_stopped(
+    path: &Path,
+    context: &Context,
+    save: impl FnOnce() -> Result<(), save::SaveError>,
+) -> Result<(), Failure> {
     // devices, pipes and standard output are written directly: there nothing is left behind
     let directly = is_standard(path) || path.metadata().is_ok_and(|found| !found.is_file());
     let saved = if directly { save() } else { context.writing.guard(save) };

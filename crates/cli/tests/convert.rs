@@ -224,3 +224,41 @@ fn a_damaged_binary_scene_is_refused() {
     assert_eq!((code, told.as_str()), (1, ""));
     assert!(said.contains("cut.lancer"), "{said}");
 }
+
+/// An NFF file is a scene and a view, and becomes a document; a mesh file becomes a document that names it, or holds its
+/// vertices where it is not found from there.
+#[test]
+fn files_of_others_become_scenes() {
+    let folder = folder();
+    let path = folder.path();
+    let nff = "b 0 0 1\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 12 8\nl 5 5 5\nf 1 0 0 1 0 0 0 0\n\
+               s 0 0 0 1\nc\n-1 -1 0 0.2\n1 1 0 0\n";
+    fs::write(path.join("two.nff"), nff).unwrap();
+    assert_eq!(convert(path, &["two.nff", "two.xml"]), "");
+    let text = fs::read_to_string(path.join("two.xml")).unwrap();
+    for line in [
+        "<world ambient=\"0.5\" background=\"0 0 1\" depth=\"4\" compose=\"add\"/>",
+        "<sphere name=\"sphere 1\" center=\"0 0 0\" radius=\"1\" material=\"fill 1\"/>",
+        "<cone name=\"cone 1\" base=\"-1 -1 0\" top=\"1 1 0\" base-radius=\"0.2\" top-radius=\"0\" capped=\"false\" \
+         material=\"fill 1\"/>",
+    ] {
+        let found = text.lines().any(|found| found.split_whitespace().eq(line.split_whitespace()));
+        assert!(found, "{line} is not in\n{text}");
+    }
+    assert_eq!(picture(path, "two.xml", "two.nff"), picture(path, "two.nff", "two.nff"));
+
+    convert(path, &["two.nff", "two.view.xml"]);
+    assert_eq!(picture(path, "two.xml", "two.view.xml"), picture(path, "two.nff", "two.nff"));
+
+    fs::create_dir(path.join("elsewhere")).unwrap();
+    fs::write(path.join("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    convert(path, &["tri.obj", "beside.xml"]);
+    assert!(fs::read_to_string(path.join("beside.xml")).unwrap().contains("<mesh name=\"tri\" src=\"tri.obj\"/>"));
+    convert(path, &["tri.obj", "elsewhere/within.xml"]);
+    assert!(fs::read_to_string(path.join("elsewhere/within.xml")).unwrap().contains("<facets>0 1 2</facets>"));
+    assert_eq!(picture(path, "elsewhere/within.xml", "two.nff"), picture(path, "tri.obj", "two.nff"));
+    fs::write(path.join("bad.nff"), "s 0 0 0\n").unwrap();
+    let (code, _, said) = run(path, &["convert", "bad.nff", "bad.xml"]);
+    assert_eq!(code, 1);
+    assert!(said.contains("bad.nff:1:8") && said.contains("the file ends where a radius is due"), "{said}");
+}

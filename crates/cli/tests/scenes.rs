@@ -34,14 +34,15 @@ fn tests() -> (Vec<String>, Vec<String>) {
         let topic_name = topic.file_name().unwrap().to_str().unwrap().to_owned();
         for file in fs::read_dir(&topic).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
             let file_name = file.file_name().unwrap().to_str().unwrap();
-            let stem = [".view.xml", ".xml", ".ppm", ".expect"].iter().find_map(|end| file_name.strip_suffix(end));
+            let stem =
+                [".view.xml", ".xml", ".nff", ".ppm", ".expect"].iter().find_map(|end| file_name.strip_suffix(end));
             match stem {
                 // what scenes refer to: meshes, materials
                 None => {}
-                Some(stem) if !topic.join(format!("{stem}.xml")).is_file() => {
+                Some(stem) if !scene_files(&topic, stem)[0].is_file() => {
                     problems.push(format!("{topic_name}/{file_name} belongs to no scene: {stem}.xml is missing"));
                 }
-                Some(stem) if file_name == format!("{stem}.xml") => names.push(format!("{topic_name}/{stem}")),
+                Some(stem) if scene_files(&topic, stem)[0] == file => names.push(format!("{topic_name}/{stem}")),
                 Some(_) => {}
             }
         }
@@ -49,6 +50,16 @@ fn tests() -> (Vec<String>, Vec<String>) {
     names.sort();
     problems.sort();
     (names, problems)
+}
+
+/// The files of a scene and of its views: documents, or one NFF file.
+fn scene_files(folder: &Path, stem: &str) -> [PathBuf; 2] {
+    let both = folder.join(format!("{stem}.nff"));
+    if both.is_file() {
+        [both.clone(), both]
+    } else {
+        [".xml", ".view.xml"].map(|end| folder.join(format!("{stem}{end}")))
+    }
 }
 
 /// What was loaded, or its first error.
@@ -67,10 +78,10 @@ fn value<T>(loaded: Result<Loaded<T>, LoadError>) -> Result<T, String> {
 
 /// Reads a test's scene and its first view and renders them with the reference and the engine.
 fn render(name: &str) -> Result<Still, String> {
-    let path = |end: &str| folder().join(format!("{name}{end}"));
+    let [scene, views] = scene_files(&folder(), name);
     let options = LoadOptions::default();
-    let scene = value(load::load_scene(&path(".xml"), &options))?;
-    let views = value(load::load_views(&path(".view.xml"), &options))?;
+    let scene = value(load::load_scene(&scene, &options))?;
+    let views = value(load::load_views(&views, &options))?;
     let view = views.first().ok_or("the view document holds no view")?;
     let world = World::compile(&scene);
     let reference = still(&world, view, Tracing::Reference, 1)?;
@@ -187,7 +198,7 @@ fn the_engine_draws_every_example_as_the_reference_does() {
         .unwrap()
         .flat_map(|topic| fs::read_dir(topic.unwrap().path()).into_iter().flatten())
         .map(|file| file.unwrap().path())
-        .filter(|path| path.to_string_lossy().ends_with(".view.xml"))
+        .filter(|path| [".view.xml", ".nff"].iter().any(|end| path.to_string_lossy().ends_with(end)))
         .collect();
     files.sort();
     assert!(files.len() > 25, "{files:?}");

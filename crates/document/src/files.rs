@@ -87,14 +87,14 @@ impl Document {
         self.scene_is_modified() || self.views_are_modified() && !only_looked()
     }
 
-    /// Where the scene is saved without asking: its own file, unless that is of 2009, which is not written over.
+    /// Where the scene is saved without asking: its own file, unless that is of another format, which is not written.
     pub fn scene_path(&self) -> Option<&Path> {
-        self.files.scene.as_ref().filter(|file| file.kind != FileKind::Of2009).map(|file| &*file.path)
+        self.files.scene.as_ref().filter(|file| file.kind != FileKind::Foreign).map(|file| &*file.path)
     }
 
     /// Where the views are saved without asking.
     pub fn views_path(&self) -> Option<&Path> {
-        self.files.views.as_ref().filter(|file| file.kind != FileKind::Of2009).map(|file| &*file.path)
+        self.files.views.as_ref().filter(|file| file.kind != FileKind::Foreign).map(|file| &*file.path)
     }
 
     /// What has to be written to save the scene; a gesture that is going on is committed.

@@ -2,9 +2,9 @@
 //! document changes until it is handed the result, so a broken file leaves everything as it was.
 
 use lancer_formats::load::{self, FolderOfDocument, LoadError, LoadOptions, Loaded};
-use lancer_formats::mesh::MeshFiles;
+use lancer_formats::mesh::{self, MeshFiles};
 use lancer_formats::xml::{self, StructureProblem, XmlProblem};
-use lancer_formats::{Diagnostic, Problem, Severity, Source};
+use lancer_formats::{Diagnostic, Problem, Severity, Source, nff};
 use lancer_scene::{MeshGeometry, Scene, Views};
 use std::ffi::OsStr;
 use std::fs;
@@ -32,6 +32,8 @@ pub struct SceneFile {
     pub on_disk: OnDisk,
     /// What is odd about it: warnings only.
     pub warnings: Warnings,
+    /// Whether the file holds views too.
+    pub holds_views: bool,
 }
 
 /// Legal views and the file that they were read from.
@@ -84,8 +86,8 @@ pub enum FileKind {
     Native,
     /// A binary scene.
     Binary,
-    /// A document of 2009: it is read, and saved as a native one under another name.
-    Of2009,
+    /// A document of 2009 or an NFF file: it is read, and saved as a native one under another name.
+    Foreign,
 }
 
 /// What tells that a file has changed.
@@ -129,16 +131,15 @@ pub enum OpenError {
     },
 }
 
-/// The extensions of mesh files; whatever else is a scene or views by its content.
-pub const MESH_EXTENSIONS: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
+pub use lancer_formats::mesh::EXTENSIONS as MESH_EXTENSIONS;
 
 /// Reads a file of any kind that the editor knows.
 ///
 /// # Errors
 /// Why it cannot be opened.
 pub fn read(path: &Path, options: &LoadOptions) -> Result<Content, OpenError> {
-    let extension = path.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
-    if extension.is_some_and(|extension| MESH_EXTENSIONS.contains(&&*extension)) {
+    // whatever else is a scene or views by its content
+    if mesh::is_mesh(path) {
         return read_mesh(path, options).map(Content::Mesh);
     }
     match read_scene(path, options) {
@@ -162,7 +163,8 @@ fn is_views(diagnostic: &Diagnostic) -> bool {
 pub fn read_scene(path: &Path, options: &LoadOptions) -> Result<SceneFile, OpenError> {
     let loaded = load::load_scene(path, options).map_err(OpenError::Unreadable)?;
     let (scene, on_disk, warnings) = legal(path, loaded)?;
-    Ok(SceneFile { scene, on_disk, warnings })
+    let holds_views = nff::is_nff(warnings.source.text.as_bytes());
+    Ok(SceneFile { scene, on_disk, warnings, holds_views })
 }
 
 /// Reads views.
@@ -183,7 +185,7 @@ fn legal<T>(path: &Path, loaded: Loaded<T>) -> Result<(T, OnDisk, Warnings), Ope
             let kind = match &document {
                 Some(_) => FileKind::Native,
                 None if source.text.is_empty() => FileKind::Binary,
-                None => FileKind::Of2009,
+                None => FileKind::Foreign,
             };
             Ok((value, OnDisk::now(path.to_owned(), kind, document), Warnings { diagnostics, source }))
         }
@@ -225,7 +227,13 @@ pub fn name_below(scene: &Path, file: &Path) -> Option<Arc<str>> {
     Some(parts.collect::<Option<Vec<&str>>>()?.join("/").into())
 }
 
-/// Where the views of a scene stand that are opened with it: `first.view.xml` beside `first.xml`.
+/// Where the views of a scene stand that are opened with it: `first.view.xml` beside `first.xml`, unless the file holds
+/// them itself, as an NFF file does.
+pub fn views_with(scene: &SceneFile) -> PathBuf {
+    if scene.holds_views { scene.on_disk.path.clone() } else { views_beside(&scene.on_disk.path) }
+}
+
+/// Where the views of a scene are saved first: `first.view.xml` beside `first.xml`.
 pub fn views_beside(scene: &Path) -> PathBuf {
     scene.with_extension("view.xml")
 }

@@ -201,7 +201,7 @@ fn every_kind_of_file_is_recognised() {
     assert!(matches!(open::read(&at("models/tetra.obj"), &options()), Ok(Content::Mesh(_))));
     fs::write(at("scene.2009"), "<Scene><Couleur r=\"0\" v=\"0\" b=\"0\"/></Scene>").unwrap();
     let Ok(Content::Scene(scene)) = open::read(&at("scene.2009"), &options()) else { panic!("a scene of 2009") };
-    assert_eq!(scene.on_disk.kind, FileKind::Of2009);
+    assert_eq!(scene.on_disk.kind, FileKind::Foreign);
     assert_eq!(Document::open(*scene, None, options()).scene_path(), None, "it is not written over");
     let point = |name: &str, x: f64, y: f64, z: f64| format!("<{name} x=\"{x}\" y=\"{y}\" z=\"{z}\"/>");
     let corners: String =
@@ -212,7 +212,7 @@ fn every_kind_of_file_is_recognised() {
     );
     fs::write(at("vue.2009"), vue).unwrap();
     let Ok(Content::Views(views)) = open::read(&at("vue.2009"), &options()) else { panic!("views of 2009") };
-    assert_eq!((views.views.len(), views.on_disk.kind), (1, FileKind::Of2009));
+    assert_eq!((views.views.len(), views.on_disk.kind), (1, FileKind::Foreign));
     fs::write(at("note.txt"), "hello").unwrap();
     assert!(matches!(open::read(&at("note.txt"), &options()), Err(OpenError::Broken { .. })));
     fs::write(at("empty.obj"), "f 1 2 3\n").unwrap();

@@ -144,6 +144,7 @@ macro_rules! problems {
 problems! {
     Xml(crate::xml::XmlProblem),
     N7(crate::n7_2009::N7Problem),
+    Nff(crate::nff::NffProblem),
     Binary(crate::binary::BinaryProblem),
     Mesh(crate::mesh::MeshProblem),
     Picture(crate::picture::PictureProblem),

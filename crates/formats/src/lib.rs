@@ -10,6 +10,7 @@ mod finding;
 pub mod load;
 pub mod mesh;
 pub mod n7_2009;
+pub mod nff;
 pub mod picture;
 pub mod ppm;
 pub mod save;

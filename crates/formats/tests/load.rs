@@ -336,3 +336,32 @@ fn pictures_are_loaded_and_their_faults_located() {
     let wrong = load(b"GIF89a");
     assert_eq!(wrong.diagnostics[0].problem.code(), "picture::unknown-format");
 }
+
+/// A mesh file alone is a scene of one object, named like the file; what is wrong with it is an error as always.
+#[test]
+fn a_mesh_file_is_a_scene_of_one_object() {
+    let folder = folder();
+    let path = folder.path().join("tri angle.obj");
+    fs::write(&path, format!("mtllib none.mtl\n{TRIANGLE}vn 0 0 1\nf 1//1 2//1 3//1\n")).unwrap();
+    let loaded = load(&path);
+    let scene = loaded.value.as_ref().unwrap();
+    assert_eq!((scene.objects.len(), &*scene.objects[0].name), (1, "tri angle"));
+    let mesh = meshes(scene)[0];
+    assert_eq!((mesh.source.as_deref(), mesh.geometry.facets.len()), (Some("tri angle.obj"), 2));
+    assert!(!mesh.smooth, "one facet has no normals, so none is used");
+    let warnings =
+        ["mesh file `none.mtl`: there is no such file", "mesh file `tri angle.obj`: its normals are not used"];
+    let told = said(&loaded);
+    assert_eq!(told.len(), 2, "{told:?}");
+    for ((severity, message), due) in told.iter().zip(warnings) {
+        assert_eq!(*severity, Severity::Warning);
+        assert!(message.starts_with(due), "{message}");
+    }
+    fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n").unwrap();
+    let told = said(&load(&path));
+    assert_eq!(told.len(), 1);
+    assert!(told[0].1.starts_with("mesh file `tri angle.obj`, line 4: "), "{told:?}");
+    fs::write(folder.path().join(" .stl"), "").unwrap();
+    assert!(load(&folder.path().join(" .stl")).has_errors());
+    assert_eq!(refused(&folder.path().join("none.ply")).cause, LoadCause::Missing);
+}

@@ -20,7 +20,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), SaveError> {
-    save::save(path, |out| out.write_all(bytes))
+    save::save_output(path, |out| out.write_all(bytes))
 }
 
 /// The names in a folder.

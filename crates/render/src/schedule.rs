@@ -70,6 +70,16 @@ impl Unit {
             Filter::Outside(region) => !region.contains(x, y),
         })
     }
+
+    /// How many they are.
+    fn count(&self) -> u64 {
+        let inside = |region: &Region| region.overlap(&self.within).map_or(0, |both| self.pass.count(both));
+        match &self.filter {
+            Filter::All => self.pass.count(self.within),
+            Filter::Within(region) => inside(region),
+            Filter::Outside(region) => self.pass.count(self.within) - inside(region),
+        }
+    }
 }
 
 /// How much slower the active view's clock goes.
@@ -117,13 +127,8 @@ impl ViewState {
                 (Stage::Priority, Some(region)) => Filter::Within(region),
                 (Stage::Rest, Some(region)) => Filter::Outside(region),
             };
-            if let Filter::Within(region) = filter
-                && !region.meets(&within)
-            {
-                continue;
-            }
             let unit = Unit { pass: cursor.pass, within, filter };
-            let pixels = unit.pixels().count() as u64;
+            let pixels = unit.count();
             if pixels == 0 {
                 continue;
             }
@@ -199,9 +204,12 @@ mod tests {
             views[count - 1].prioritise(Some(Region { x: 101, y: 33, width: 77, height: 200 }));
             let mut seen = HashSet::new();
             while let Some((place, unit)) = next_unit(&mut views) {
+                let mut pixels = 0;
                 for (x, y) in unit.pixels() {
                     assert!(seen.insert((place, x, y)), "{place} {x} {y} twice");
+                    pixels += 1;
                 }
+                assert_eq!(unit.count(), pixels);
             }
             assert_eq!(seen.len(), count * 640 * 480);
             assert!(views.iter().all(ViewState::is_exhausted));

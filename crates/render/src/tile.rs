@@ -33,12 +33,15 @@ impl Region {
         x.checked_sub(self.x).is_some_and(|x| x < self.width) && y.checked_sub(self.y).is_some_and(|y| y < self.height)
     }
 
-    /// Whether the regions have a pixel in common.
-    pub fn meets(&self, other: &Region) -> bool {
-        let overlap = |a: u32, la: u32, b: u32, lb: u32| {
-            u64::from(a) < u64::from(b) + u64::from(lb) && u64::from(b) < u64::from(a) + u64::from(la)
+    /// The pixels that both regions have.
+    pub fn overlap(&self, other: &Region) -> Option<Region> {
+        let shared = |a: u32, la: u32, b: u32, lb: u32| {
+            let (first, end) = (a.max(b), a.saturating_add(la).min(b.saturating_add(lb)));
+            (end > first).then(|| (first, end - first))
         };
-        overlap(self.x, self.width, other.x, other.width) && overlap(self.y, self.height, other.y, other.height)
+        let (x, width) = shared(self.x, self.width, other.x, other.width)?;
+        let (y, height) = shared(self.y, self.height, other.y, other.height)?;
+        Some(Region { x, y, width, height })
     }
 
     /// The region and the pixels next to it, as far as they lie in a picture of that size.
@@ -124,6 +127,17 @@ mod tests {
         assert!(!region(639, 479, 2, 1).lies_within(640, 480));
         assert!(!region(0, 0, 0, 1).lies_within(640, 480));
         assert!(!region(u32::MAX, 0, 2, 1).lies_within(640, 480));
+    }
+
+    #[test]
+    fn regions_overlap_or_not() {
+        let region = |x, y, width, height| Region { x, y, width, height };
+        let first = region(2, 3, 10, 10);
+        assert_eq!(first.overlap(&region(5, 1, 20, 4)), Some(region(5, 3, 7, 2)));
+        assert_eq!(first.overlap(&region(12, 3, 5, 5)), None);
+        assert_eq!(first.overlap(&region(2, 13, 5, 5)), None);
+        assert_eq!(first.overlap(&region(4, 4, 0, 5)), None);
+        assert_eq!(region(7, 7, u32::MAX, 1).overlap(&region(0, 0, 9, 9)), Some(region(7, 7, 2, 1)));
     }
 
     #[test]

@@ -40,7 +40,7 @@ pub use mesh::{Enclosure, Mesh, MeshGeometry, Part};
 pub use names::{Name, NameKind, first_free_name};
 pub use object::Object;
 pub use picture::Picture;
-pub use placement::Placement;
+pub use placement::{Placement, tan_degrees};
 pub use scene::{Scene, Stage};
 pub use screen::{Screen, ScreenSpec};
 pub use shape::{Shape, box_facets};

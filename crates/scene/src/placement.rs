@@ -59,7 +59,7 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
 }
 
 /// Tangent of an angle in degrees, exact at 45.
-pub(crate) fn tan_degrees(degrees: f64) -> f64 {
+pub fn tan_degrees(degrees: f64) -> f64 {
     if degrees == 45.0 { 1.0 } else { libm::tan(degrees.to_radians()) }
 }
 

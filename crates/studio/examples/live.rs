@@ -4,7 +4,7 @@
 //! ```text
 //! cargo run --release -p lancer-studio --example live                 the sessions alone, no display
 //! cargo run --release -p lancer-studio --example live -- --window     the window too, on the display at hand
-//! xvfb-run -s "-screen 0 1920x1080x24" cargo run --release -p lancer-studio --example live -- --window
+//! xvfb-run -s "-screen 0 1280x800x24" cargo run --release -p lancer-studio --example live -- --window
 //! ```
 //!
 //! Numbers among the arguments are the numbers of views instead of 1, 2, 4 and 8, at most 8; `--edits 3` measures fewer
@@ -171,8 +171,8 @@ fn window(stage: Stage, plan: Plan) {
     let (edits, drag) = (plan.edits, DRAG.as_secs());
     println!("the window, ms: median (worst) of {edits} edits; then {drag} s of dragging, an edit a frame");
     println!("views   first complete        all finished   frames/s  worst frame");
-    let viewport = egui::ViewportBuilder::default().with_inner_size([1920.0, 1080.0]).with_title("live");
-    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    let viewport = egui::ViewportBuilder::default().with_inner_size([1280.0, 800.0]).with_title("live");
+    let options = eframe::NativeOptions { viewport, dithering: false, ..eframe::NativeOptions::default() };
     let begin = move |creation: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let dialogs = Box::new(NoDialogs);
         let (settings, lang) = (Settings::default(), Some(Lang::English));
@@ -208,15 +208,19 @@ impl Measured {
         self.studio.perform(ctx, Action::Preview(edit));
     }
 
-    fn begin(&mut self, ctx: &egui::Context) {
+    /// Opens or closes one more view; whether there are as many as the row wants.
+    fn arrange(&mut self, ctx: &egui::Context) -> bool {
+        let (wanted, shown) = (self.plan.views[self.row], self.studio.shown());
         let views: Vec<_> = self.studio.document().stage().views.iter().map(|view| view.name.clone()).collect();
-        for view in views.iter().take(self.plan.views[self.row]) {
+        let is_shown = |view: &lancer_scene::Name| shown.iter().any(|name| **name == **view);
+        if let Some(view) = views.iter().take(wanted).find(|view| !is_shown(view)) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Show));
-        }
-        for view in views.iter().skip(self.plan.views[self.row]) {
+        } else if let Some(view) = views.iter().skip(wanted).find(|view| is_shown(view)) {
             self.studio.perform(ctx, Action::View(view.clone(), ViewAction::Close));
+        } else {
+            return true;
         }
-        self.studio.perform(ctx, Action::Begin(StepName::New));
+        false
     }
 
     fn next(&mut self, ctx: &egui::Context) -> Phase {
@@ -229,7 +233,6 @@ impl eframe::App for Measured {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         eframe::App::ui(&mut self.studio, ui, frame);
-        ctx.request_repaint();
         let shown = self.studio.shown();
         for view in &shown {
             // every picture has the size of its view
@@ -241,8 +244,11 @@ impl eframe::App for Measured {
         let complete = sessions.iter().all(|session| session.status().first_complete.is_some());
         match std::mem::replace(&mut self.phase, Phase::Begin) {
             Phase::Begin => {
-                self.begin(&ctx);
-                self.phase = self.next(&ctx);
+                if self.arrange(&ctx) {
+                    self.studio.perform(&ctx, Action::Begin(StepName::New));
+                    self.phase = self.next(&ctx);
+                }
+                ctx.request_repaint();
             }
             Phase::Edited { begun, complete: before } => {
                 let before = before.or_else(|| complete.then(|| begun.elapsed()));
@@ -252,6 +258,7 @@ impl eframe::App for Measured {
                 }
                 self.times.0.push(before.unwrap_or_else(|| begun.elapsed()).as_secs_f64() * 1e3);
                 self.times.1.push(begun.elapsed().as_secs_f64() * 1e3);
+                ctx.request_repaint();
                 self.phase = if self.times.0.len() <= self.plan.edits {
                     self.next(&ctx)
                 } else {
@@ -261,6 +268,7 @@ impl eframe::App for Measured {
             }
             Phase::Dragged { begun, frames, last, worst } => {
                 let worst = worst.max(last.elapsed());
+                ctx.request_repaint();
                 if begun.elapsed() < DRAG {
                     self.edit(&ctx, frames as usize);
                     self.phase = Phase::Dragged { begun, frames: frames + 1, last: Instant::now(), worst };

@@ -30,6 +30,10 @@ use lancer_scene::Stage;
 use lancer_words::{Lang, studio::app as words};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::time::Duration;
+
+/// How long news of the pictures wait for others: painting more often would only take time from rendering.
+const BETWEEN_NEWS: Duration = Duration::from_millis(33);
 
 /// How the window begins.
 pub struct Start {
@@ -129,7 +133,9 @@ impl Studio {
             },
             panes: Panes {
                 live: BTreeMap::new(),
-                renderer: Renderer::new(None, start.tracing, move || waker.request_repaint_of(ViewportId::ROOT)),
+                renderer: Renderer::new(None, start.tracing, move || {
+                    waker.request_repaint_after_for(BETWEEN_NEWS, ViewportId::ROOT);
+                }),
                 picker: Picker::new(ctx.clone()),
                 wireframes: Wireframes::default(),
             },

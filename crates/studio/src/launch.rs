@@ -47,6 +47,8 @@ pub fn run(lang: Option<Lang>, open: Vec<PathBuf>, tracing: Tracing) -> Result<(
             .with_min_inner_size([720.0, 480.0])
             .with_drag_and_drop(true)
             .with_icon(icon()),
+        // nothing here has a gradient, and OpenGL in software pays for it at every pixel
+        dithering: false,
         ..eframe::NativeOptions::default()
     };
     let begun = Arc::new(AtomicBool::new(false));

@@ -111,6 +111,17 @@ impl Layout {
         self.tree.make_active(|id, _| id == tile);
     }
 
+    /// The view whose pane is the largest that is seen, and the way in which it is cut best; `None` before a first frame.
+    pub fn roomiest(&self) -> Option<(String, LinearDir)> {
+        let seen = self.panes().filter_map(|(tile, pane)| Some((pane, self.tree.tiles.rect(tile)?.size())));
+        // the first of several equal ones
+        let largest = seen.reduce(|most, other| if other.1.x * other.1.y > most.1.x * most.1.y { other } else { most });
+        largest.map(|(pane, size)| {
+            let dir = if size.y > size.x { LinearDir::Vertical } else { LinearDir::Horizontal };
+            (pane.to_owned(), dir)
+        })
+    }
+
     /// Puts a new tile beside another one, in half of its place.
     fn insert(&mut self, tile: TileId, beside: Option<TileId>, dir: LinearDir) {
         let root = self.tree.root();

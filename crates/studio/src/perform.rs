@@ -105,6 +105,15 @@ impl Studio {
         Ok(())
     }
 
+    /// Shows a view where there is most room, and works in it.
+    fn show_somewhere(&mut self, view: &str) {
+        match self.model.settings.layout.roomiest() {
+            Some((neighbour, dir)) => self.model.settings.layout.show(view, Some(&neighbour), dir),
+            None => self.model.settings.layout.show(view, self.model.active.as_deref(), LinearDir::Horizontal),
+        }
+        self.activate(view);
+    }
+
     /// Shows a view beside the active one, and works in it.
     fn show(&mut self, view: &str, dir: LinearDir) {
         self.model.settings.layout.show(view, self.model.active.as_deref(), dir);
@@ -122,7 +131,7 @@ impl Studio {
     fn view(&mut self, ctx: &egui::Context, name: &Name, action: ViewAction) -> Result<(), EditError> {
         let layout = &mut self.model.settings.layout;
         match action {
-            ViewAction::Show => self.show(name, LinearDir::Horizontal),
+            ViewAction::Show => self.show_somewhere(name),
             ViewAction::Close => layout.close(name),
             ViewAction::Detach => layout.detach(name),
             ViewAction::Attach => {

@@ -44,7 +44,7 @@ impl Studio {
         let xml_first = || vec![kind(words::xml_scenes(lang), &["xml"]), kind(words::binary_scenes(lang), &["lancer"])];
         let (title, save, name, filters) = match question {
             Question::Open => {
-                let mut every = vec!["xml", "lancer"];
+                let mut every = vec!["xml", "lancer", "nff"];
                 every.extend(MESH_EXTENSIONS);
                 (words::open_title(lang), false, none, vec![kind(words::scenes(lang), &every)])
             }

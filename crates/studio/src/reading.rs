@@ -1,6 +1,6 @@
 //! Reading files on a thread of its own, so that the window goes on; what was begun can be given up.
 
-use lancer_document::open::{self, Content, OpenError, ViewsFile, views_beside};
+use lancer_document::open::{self, Content, OpenError, ViewsFile, views_with};
 use lancer_formats::load::LoadOptions;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
@@ -65,8 +65,8 @@ fn read(path: &Path, purpose: Purpose) -> Read {
         Purpose::Mesh => open::read_mesh(path, &options).map(Content::Mesh),
     };
     let paths = match (&content, purpose) {
-        (Ok(Content::Scene(_)), Purpose::Open(views)) if views.is_empty() => {
-            Some(views_beside(path)).filter(|beside| beside.is_file()).into_iter().collect()
+        (Ok(Content::Scene(scene)), Purpose::Open(views)) if views.is_empty() => {
+            Some(views_with(scene)).filter(|beside| beside.is_file()).into_iter().collect()
         }
         (Ok(_), Purpose::Open(views)) => views,
         (Ok(_) | Err(_), _) => Vec::new(),

@@ -7,9 +7,9 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use lancer_document::{Item, Selection};
-use lancer_formats::xml::vocabulary::{self, ElementRule, Kind};
+use lancer_formats::xml::vocabulary::{self, ElementRule, FLAG, Kind};
 use lancer_scene::{
-    DVec3, List, Material, MaterialRef, Mesh, MeshGeometry, Object, Placement, PointLight, Shape, Stage, Surface,
+    DVec3, List, Material, MaterialRef, Mesh, MeshGeometry, Object, Part, Placement, PointLight, Shape, Stage, Surface,
 };
 use lancer_studio::dialogs::Reply;
 use lancer_studio::fields::ScreenKind;
@@ -54,9 +54,13 @@ fn select(window: &mut Window, item: &Item) {
     window.settle();
 }
 
-/// Types over what stands in a field.
+/// Types over what stands in a field for a number.
 fn type_into(window: &mut Window, label: &str, text: &str) {
-    window.harness.get_by_role_and_label(Role::SpinButton, label).focus();
+    type_as(window, Role::SpinButton, label, text);
+}
+
+fn type_as(window: &mut Window, role: Role, label: &str, text: &str) {
+    window.harness.get_by_role_and_label(role, label).focus();
     window.harness.step();
     window.harness.step();
     window.press(Modifiers::COMMAND, Key::A);
@@ -65,9 +69,39 @@ fn type_into(window: &mut Window, label: &str, text: &str) {
     window.press(Modifiers::NONE, Key::Enter);
 }
 
-/// Edits each attribute of a thing by its widget; each is one step with the attribute's name.
+/// What an edit by a widget must be: one step, with a name of its own, that changes the scene.
+fn one_step(window: &mut Window, what: &str, names: &[String], edit: impl Fn(&mut Window)) {
+    let before = (window.steps(), window.stage().clone());
+    edit(window);
+    assert_eq!(window.steps(), before.0 + 1, "{what}");
+    assert_ne!(*window.stage(), before.1, "{what}");
+    let named = window.last_step();
+    assert!(names.iter().any(|name| named.ends_with(name.as_str())), "{what}: {named}");
+}
+
+/// Presses a control as a screen reader does, wherever the panel is scrolled to.
+fn press(window: &mut Window, role: Role, label: &str) {
+    window.harness.get_by_role_and_label(role, label).click_accesskit();
+    window.settle();
+}
+
+/// Opens a list and chooses a word of it.
+fn choose(window: &mut Window, list: &str, word: &str) {
+    press(window, Role::ComboBox, list);
+    choose_entry(window, word);
+}
+
+/// Chooses a word of the list that is open.
+fn choose_entry(window: &mut Window, word: &str) {
+    // what was there before the list opened may be called alike
+    let entries: Vec<_> = window.harness.query_all_by_role_and_label(Role::Button, word).collect();
+    entries.last().unwrap_or_else(|| panic!("no entry {word}")).click_accesskit();
+    window.settle();
+}
+
+/// Edits each attribute of a thing by its widget, a choice to each of its words; gives how many steps that took.
 fn edit_all(window: &mut Window, item: &Item, rules: &[&'static ElementRule]) -> usize {
-    let mut edited = 0;
+    let begin = window.steps();
     for rule in rules {
         for known in rule.attributes {
             if rule.name == "screen" && known.name == "up" {
@@ -76,36 +110,59 @@ fn edit_all(window: &mut Window, item: &Item, rules: &[&'static ElementRule]) ->
             }
             select(window, item);
             let label = attribute::label(Lang::English, rule.name, known.name);
-            let (field, text) = match known.kind {
-                Kind::Color | Kind::Channels(..) | Kind::Length => (label.to_owned(), "0.25 + 1/8"),
-                Kind::Number(..) => (label.to_owned(), "60"),
-                Kind::Integer(..) => (label.to_owned(), "5"),
+            let what = format!("{item:?} {} {label}", rule.name);
+            let names = [format!(": set {label}"), format!(": set {}", known.name)];
+            let (role, field, text) = match known.kind {
+                Kind::Color | Kind::Channels(..) | Kind::Length => (Role::SpinButton, label.to_owned(), "0.25 + 1/8"),
+                Kind::Number(..) => (Role::SpinButton, label.to_owned(), "60"),
+                Kind::Integer(..) => (Role::SpinButton, label.to_owned(), "5"),
                 // in one line with the others it would be refused
-                Kind::Point if known.name == "p2" => (format!("{label} x"), "2"),
-                Kind::Point | Kind::Factors => (format!("{label} x"), "0.375"),
-                Kind::Size => (format!("{label} w"), "0.375"),
-                Kind::Corners => (format!("{label} BL x"), "-0.375"),
-                Kind::Choice(_) | Kind::Steps => continue,
-                Kind::Version | Kind::Text | Kind::Name | Kind::MaterialName | Kind::Path | Kind::Run => continue,
+                Kind::Point if known.name == "p2" => (Role::SpinButton, format!("{label} x"), "2"),
+                Kind::Point | Kind::Factors => (Role::SpinButton, format!("{label} x"), "0.375"),
+                Kind::Size => (Role::SpinButton, format!("{label} w"), "0.375"),
+                Kind::Corners => (Role::SpinButton, format!("{label} BL x"), "-0.375"),
+                FLAG => (Role::CheckBox, label.to_owned(), ""),
+                Kind::Choice(_) => (Role::ComboBox, label.to_owned(), ""),
+                Kind::Steps => (Role::CheckBox, "+ Shadows".to_owned(), ""),
+                Kind::MaterialName => (Role::ComboBox, "Material".to_owned(), "red"),
+                Kind::Name => (Role::TextInput, "name".to_owned(), ""),
+                // the document's own matter: its version, its files, the facets of a part
+                Kind::Version | Kind::Text | Kind::Path | Kind::Run => continue,
             };
-            if window.harness.query_by_role_and_label(Role::SpinButton, &field).is_none() {
-                // attributes of another way to give a screen, and switches
-                assert!(matches!(item, Item::View(_)) || known.name == "visible" || known.name == "smooth", "{field}");
+            if window.harness.query_by_role_and_label(role, &field).is_none() {
+                // attributes of another way to give a screen
+                assert!(matches!(item, Item::View(_)) && ["eye", "screen"].contains(&rule.name), "no field for {what}");
                 continue;
             }
-            let before = (window.steps(), window.stage().clone());
-            type_into(window, &field, text);
-            assert_eq!(window.steps(), before.0 + 1, "{item:?} {field}");
-            assert_ne!(*window.stage(), before.1, "{item:?} {field}");
-            let named = window.last_step();
-            assert!(
-                named.ends_with(&format!(": set {label}")) || named.ends_with(&format!(": set {}", known.name)),
-                "{named}"
-            );
-            edited += 1;
+            let mut edit = |what: &str, edit: &dyn Fn(&mut Window)| one_step(window, what, &names, edit);
+            if let (Kind::Choice(words), Role::ComboBox) = (known.kind, role) {
+                // all words, and the one that stands there last
+                let shown = |word: &&str| attribute::choice(Lang::English, word).to_owned();
+                let words: Vec<String> = words.iter().map(shown).collect();
+                for word in words.iter().skip(1).chain(words.first()) {
+                    edit(&format!("{what} {word}"), &|window| choose(window, &field, word));
+                }
+            } else if known.kind == Kind::Steps {
+                for step in ["+ Shadows", "+ Reflection", "+ Transparency"] {
+                    edit(step, &|window| press(window, role, step));
+                }
+            } else if known.kind == Kind::Name {
+                let old = item.name().unwrap().to_string();
+                let new = format!("{old} 2");
+                for (from, to) in [(&old, &new), (&new, &old)] {
+                    let names = [format!("Rename {from} to {to}")];
+                    one_step(window, &what, &names, |window| type_as(window, role, &field, to));
+                }
+            } else if role == Role::CheckBox {
+                edit(&what, &|window| press(window, role, &field));
+            } else if role == Role::ComboBox {
+                edit(&what, &|window| choose(window, &field, text));
+            } else {
+                edit(&what, &|window| type_into(window, &field, text));
+            }
         }
     }
-    edited
+    window.steps() - begin
 }
 
 #[test]
@@ -116,9 +173,16 @@ fn every_attribute_of_every_kind_is_edited() {
     for view in window.studio().shown() {
         window.harness.state_mut().perform(&ctx, Action::View(view.as_str().into(), ViewAction::Close));
     }
+    // nor are the other panels needed
+    window.press(Modifiers::NONE, Key::F9);
+    window.press(Modifiers::NONE, Key::F10);
+    assert!(window.harness.query_by_label("Filter by name").is_none(), "the outliner is hidden");
     let begin = window.stage().clone();
     let mut edited = edit_all(&mut window, &Item::World, &[&vocabulary::WORLD]);
-    edited += edit_all(&mut window, &Item::Light("lamp".into()), &[&vocabulary::LIGHT]);
+    one_step(&mut window, "title", &["Set the title".to_owned()], |window| {
+        type_as(window, Role::TextInput, "title", "Everything");
+    });
+    edited += 1 + edit_all(&mut window, &Item::Light("lamp".into()), &[&vocabulary::LIGHT]);
     edited += edit_all(&mut window, &Item::Material("red".into()), &[&vocabulary::MATERIAL]);
     let shapes = [
         &vocabulary::SPHERE,
@@ -135,17 +199,67 @@ fn every_attribute_of_every_kind_is_edited() {
         let rules = [&vocabulary::EYE, &vocabulary::SCREEN, &vocabulary::VIEW];
         edited += edit_all(&mut window, &Item::View(name.into()), &rules);
     }
-    assert!(edited > 50, "{edited}");
+    assert!(edited > 100, "{edited}");
     // undo to the start and redo to the end give the same
     let end = window.stage().clone();
     while window.steps() > 0 {
-        window.press(Modifiers::COMMAND, Key::Z);
+        window.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        window.harness.step();
     }
     assert_eq!(*window.stage(), begin);
     for _ in 0..edited {
-        window.press(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        window.harness.step();
     }
     assert_eq!(*window.stage(), end);
+}
+
+/// A view has the world's depth limit, or one of its own that begins there.
+#[test]
+fn a_view_takes_a_depth_of_its_own_and_gives_it_back() {
+    let mut window = Window::new(stage(), Lang::English);
+    select(&mut window, &Item::View("front".into()));
+    press(&mut window, Role::CheckBox, "the world's");
+    assert_eq!(window.stage().views[0].depth, Some(window.stage().scene.world.depth));
+    type_into(&mut window, "depth", "2");
+    press(&mut window, Role::Button, "Set depth to its default");
+    assert_eq!(window.stage().views[0].depth, None);
+    assert_eq!(window.steps(), 3);
+}
+
+/// An object's own surface, and the parts of a mesh.
+#[test]
+fn materials_are_chosen_where_they_are_used() {
+    let mut stage = everything();
+    let parts = lancer_document::attribute::edit_object(&stage, "mesh", |object| {
+        if let Shape::Mesh(mesh) = &mut object.shape {
+            let part = Part { material: MaterialRef::Default, first: 0, count: 1 };
+            Arc::make_mut(&mut mesh.geometry).parts = vec![part];
+        }
+    });
+    (stage, _) = stage.apply(&parts.unwrap()).unwrap();
+    let mut window = Window::new(stage, Lang::English);
+    select(&mut window, &Item::Object("sphere".into()));
+    choose(&mut window, "Material", "its own");
+    let inline = |window: &Window| match &window.object("sphere").unwrap().material {
+        MaterialRef::Inline(surface) => Surface::clone(surface),
+        MaterialRef::Default | MaterialRef::Named(_) => panic!("the sphere has no surface of its own"),
+    };
+    assert_eq!(inline(&window), Surface::default());
+    type_into(&mut window, "Kr", "1/4");
+    assert_eq!(inline(&window).kr, lancer_scene::Rgb::splat(0.25));
+    choose(&mut window, "Material", "New material");
+    assert_eq!(window.object("sphere").unwrap().material, MaterialRef::Named("material 1".into()));
+    assert_eq!(window.stage().scene.materials[1].surface.kr, lancer_scene::Rgb::splat(0.25), "it begins as what was");
+
+    select(&mut window, &Item::Object("mesh".into()));
+    let lists: Vec<_> = window.harness.query_all_by_role_and_label(Role::ComboBox, "Material").collect();
+    assert_eq!(lists.len(), 2, "the mesh's and its part's");
+    lists[0].click_accesskit();
+    window.settle();
+    choose_entry(&mut window, "red");
+    let Shape::Mesh(mesh) = &window.object("mesh").unwrap().shape.clone() else { panic!("no mesh") };
+    assert_eq!(mesh.geometry.parts[0].material, MaterialRef::Named("red".into()));
 }
 
 fn text_of(window: &Window) -> String {

@@ -51,7 +51,8 @@ impl Display {
     fn start() -> Display {
         let screen = format!("{}x{}x24", SIZE.0, SIZE.1);
         let mut server = Command::new("Xvfb");
-        server.args(["-displayfd", "1", "-screen", "0", &screen, "-nolisten", "tcp"]);
+        // without -noreset the server begins anew when xdotool leaves it, and throws the program out that is just coming
+        server.args(["-displayfd", "1", "-screen", "0", &screen, "-nolisten", "tcp", "-noreset"]);
         let mut server = server.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
         let mut number = String::new();
         BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();

@@ -6,7 +6,9 @@ mod window;
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase, Vec2};
 use egui_kittest::kittest::Queryable;
 use lancer_document::Item;
-use lancer_scene::{DVec3, PointLight};
+use lancer_scene::generate::Family;
+use lancer_scene::{DVec3, PointLight, Stage};
+use lancer_studio::{Action, ViewAction};
 use lancer_words::Lang;
 use std::hash::{Hash, Hasher};
 use window::{Window, stage};
@@ -47,6 +49,21 @@ fn a_click_selects_and_one_edit_repaints_both_views() {
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(bytes(&window, "front"), front);
     assert_eq!(bytes(&window, "high"), high);
+}
+
+/// A click on a scene that takes long to compile is answered as soon as it is.
+#[test]
+fn the_first_click_is_not_lost() {
+    let (scene, view) = Family::Field.generate(400).unwrap();
+    let (name, view, views) = (scene.objects[0].name.clone(), view.name.to_string(), std::iter::once(view).collect());
+    let stage = Stage { scene, views };
+    let mut window = Window::just_begun(stage);
+    let place = window.picture(&view).center() + Vec2::new(0.0, 40.0);
+    window.event(Event::PointerMoved(place));
+    window.button(place, PointerButton::Primary, true, Modifiers::NONE);
+    window.button(place, PointerButton::Primary, false, Modifiers::NONE);
+    window
+        .until("the selection", |studio| studio.document().selection().primary() == Some(&Item::Object(name.clone())));
 }
 
 #[test]
@@ -221,6 +238,26 @@ fn panes_split_close_and_come_back() {
     assert_eq!(window.stage().views.len(), 3, "the view stays in the document");
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(window.studio().shown(), ["front"], "the split is taken back");
+}
+
+/// Four views that are shown one after the other stand in two rows and two columns.
+#[test]
+fn a_view_is_shown_where_there_is_most_room() {
+    let mut stage = stage();
+    let more = ["third", "fourth"].map(|name| window::view(name, DVec3::new(1.0, 1.0, 5.0)));
+    stage.views = stage.views.iter().map(|view| lancer_scene::View::clone(view)).chain(more).collect();
+    let mut window = Window::new(stage, Lang::English);
+    // without panels the panes are wide
+    window.press(Modifiers::NONE, Key::F10);
+    let ctx = window.harness.ctx.clone();
+    for name in ["high", "third", "fourth"] {
+        window.harness.state_mut().perform(&ctx, Action::View(name.into(), ViewAction::Show));
+        window.settle();
+    }
+    let sizes = ["front", "high", "third", "fourth"]
+        .map(|name| window.harness.get_by_label(&format!("Picture of {name}")).rect().size());
+    let areas = sizes.map(|size| size.x * size.y);
+    assert!(areas.iter().all(|area| (area / areas[0] - 1.0).abs() < 0.2), "{sizes:?}");
 }
 
 #[test]

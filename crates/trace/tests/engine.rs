@@ -294,6 +294,65 @@ proptest! {
     }
 }
 
+/// A mesh of many facets, whose rays pass a hierarchy of several levels: a mirror of hills with lamps above it, some near
+/// its plane, all of it of some size, turned, and anywhere.
+fn hills() -> impl Strategy<Value = Stage> {
+    let hills = (3..28_u32, 0.0..0.3_f64, -3.0..2.0_f64);
+    let place = (point(180.0), prop_oneof![3 => Just(DVec3::ZERO), 1 => point(30.0)]);
+    let lamps = prop::collection::vec((point(2.0), prop_oneof![0.02..0.3_f64, 0.5..3.0_f64]), 0..3);
+    (hills, place, point(1.5), lamps, any::<bool>()).prop_map(
+        |((n, height, size), (rotation, center), eye, lamps, smooth)| {
+            let (size, along) = (10_f64.powf(size), |i: u32| f64::from(i) / f64::from(n) * 2.0 - 1.0);
+            let height_at =
+                |x: f64, z: f64| height * ((x * 5.0).sin() * (z * 4.0).cos() + 0.4 * (x * 17.0 + z * 13.0).sin());
+            let positions = (0..=n).flat_map(|j| (0..=n).map(move |i| (along(i), along(j))));
+            let positions = positions.map(|(x, z)| DVec3::new(x, height_at(x, z), z) * size).collect();
+            let corner = |i: u32, j: u32| j * (n + 1) + i;
+            let facets = (0..n * n).map(|cell| (cell % n, cell / n)).flat_map(|(i, j)| {
+                let [a, b, c, d] = [corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)];
+                [[a, b, c], [c, b, d]]
+            });
+            let geometry = MeshGeometry { positions, facets: facets.collect(), ..MeshGeometry::default() };
+            let placement = Placement { rotation, position: center * size, ..Placement::default() };
+            let mesh = Mesh { geometry: Arc::new(geometry), source: None, placement: placement.clone(), smooth };
+            let mirror =
+                Surface { kr: Rgb::splat(0.6), ks: Rgb::BLACK, w: Reflectance::Constant, ..Surface::default() };
+            let object =
+                Object { material: MaterialRef::Inline(Arc::new(mirror)), ..Object::new("hills", Shape::Mesh(mesh)) };
+            let there = |at: DVec3| placement.linear() * (at * size) + placement.position;
+            let lights = lamps.iter().enumerate().map(|(number, (at, above))| {
+                PointLight::new(format!("lamp {number}"), there(DVec3::new(at.x, *above, at.z)))
+            });
+            let scene = Scene {
+                world: Environment { depth: 3, ..Environment::default() },
+                objects: [object].into_iter().collect(),
+                lights: lights.collect(),
+                ..Scene::default()
+            };
+            Stage { scene, center: placement.position, eye: there(eye + DVec3::Y * 1.6) }
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, max_global_rejects: 20_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn many_facets_are_the_references(stage in hills()) {
+        let Some(picture) = Picture::new(&stage, DVec3::ZERO, 1, 100_000) else {
+            return Err(TestCaseError::reject("no legal scene or view"));
+        };
+        let (due, counts) = picture.reference();
+        for simd in available() {
+            let (colors, engine_counts) = picture.engine(simd, &pixels());
+            for ((color, due), place) in colors.iter().zip(&due).zip(pixels()) {
+                prop_assert_eq!(bits(color), bits(due), "{:?} {:?}", simd, place);
+            }
+            prop_assert_eq!(engine_counts, counts, "{:?}", simd);
+        }
+    }
+}
+
 #[test]
 fn a_raised_flag_leaves_no_colour() {
     let ball = Object::new("ball", Shape::Sphere { center: DVec3::ZERO, radius: 1.0 });

@@ -25,6 +25,7 @@ mod lang;
 pub mod lint;
 pub mod mesh;
 pub mod n7_2009;
+pub mod nff;
 pub mod number;
 pub mod picture;
 pub mod preset;

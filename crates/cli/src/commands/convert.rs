@@ -9,7 +9,7 @@ use lancer_formats::load::{FolderOfDocument, LoadOptions};
 use lancer_formats::mesh::MeshFiles;
 use lancer_formats::n7_2009;
 use lancer_formats::picture::{self, Format};
-use lancer_formats::{save, xml};
+use lancer_formats::{nff, save, xml};
 use lancer_scene::{Mesh, Object, Scene, Shape, View};
 use lancer_words::Lang;
 use lancer_words::cli::help;
@@ -63,11 +63,17 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         }
         Wanted::Document(form) => form,
     };
-    let document = documents::read(input, &options)?;
+    let mut document = documents::read(input, &options)?;
+    // one file is scene and views
+    let is_both = nff::is_nff(document.source.text.as_bytes());
+    if output.to_string_lossy().ends_with(".view.xml") && is_both {
+        // the output's name says which of them is meant
+        document = documents::read_views(input, &options)?;
+    }
     let written = match (document.accepted(&console)?, form) {
         (Content::Scene(scene), form) => {
             let scene = if form == Form::Xml { with_files_of(output, &scene, options) } else { scene };
-            form.of_scene(&scene, output, || camera(matches, &options, &console))?
+            form.of_scene(&scene, output, || camera(matches, is_both, &options, &console))?
         }
         (Content::Views(views), Form::Xml) => Written::whole(xml::write_views(&views).into_bytes()),
         (Content::Views(_), Form::Binary) => return Err(Failure::ViewsAsBinary),
@@ -79,11 +85,13 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     written.save(output, &Context { console, ..context.clone() }).map(|()| Exit::Done)
 }
 
-/// The view that a scene with a camera gets: of the views that are named, or of those beside the scene.
-fn camera(matches: &ArgMatches, options: &LoadOptions, console: &Console) -> Result<View, Failure> {
+/// The view that a scene with a camera gets: of the views that are named, of those of the scene's own file if it is both,
+/// or of those beside the scene.
+fn camera(matches: &ArgMatches, is_both: bool, options: &LoadOptions, console: &Console) -> Result<View, Failure> {
     let (input, output) = (flags::path_of(matches, "in"), flags::path_of(matches, "out"));
     let path = match matches.get_one::<PathBuf>("views") {
         Some(path) => path.clone(),
+        None if is_both => input.to_owned(),
         None => {
             let beside = input.with_extension("view.xml");
             if target::is_standard(input) || !beside.is_file() {

@@ -114,11 +114,11 @@ pub(super) struct Numbering<'a>(pub(super) Vec<&'a MaterialRef>);
 impl<'a> Numbering<'a> {
     /// The number of a material.
     pub(super) fn number(&mut self, material: &'a MaterialRef) -> usize {
-        let same = |other: &MaterialRef| match (other, material) {
+        let same = |other: &&MaterialRef| match (*other, material) {
             (MaterialRef::Inline(a), MaterialRef::Inline(b)) => Arc::ptr_eq(a, b),
             (a, b) => a == b,
         };
-        self.0.iter().position(|other| same(other)).unwrap_or_else(|| {
+        self.0.iter().position(same).unwrap_or_else(|| {
             self.0.push(material);
             self.0.len() - 1
         })

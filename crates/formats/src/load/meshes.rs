@@ -6,6 +6,7 @@
 use super::file::{self, LoadCause};
 use super::{LoadOptions, STANDARD};
 use crate::mesh::{self, FilesBeside, MeshFault, MeshFile, MeshFiles, MeshProblem};
+use lancer_scene::{Mesh, Object, Placement, Scene, Shape};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -60,6 +61,29 @@ impl MeshFiles for FolderOfDocument {
         self.read.insert(target, result.clone());
         result
     }
+}
+
+/// The scene of one object that a mesh file is by itself. Its normals, if it has any, are used.
+pub(super) fn scene_of(
+    path: &Path,
+    bytes: &[u8],
+    options: LoadOptions,
+) -> Result<(Scene, Vec<MeshProblem>), MeshProblem> {
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut document = FolderOfDocument::new(path, options);
+    let mut beside = FolderOfMesh { document: &mut document, folder: Path::new("") };
+    let file = mesh::read(&name, bytes, &mut beside)?;
+    let mesh = Mesh {
+        smooth: !file.geometry.normals.is_empty(),
+        geometry: file.geometry,
+        source: Some(name.into()),
+        placement: Placement::default(),
+    };
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().trim().to_owned()).unwrap_or_default();
+    let object = Object::new(stem, Shape::Mesh(mesh));
+    // a file may have a name that no object can have
+    let object = if object.check().is_ok() { object } else { Object { name: "mesh 1".into(), ..object } };
+    Ok((Scene { objects: [object].into_iter().collect(), ..Scene::default() }, file.warnings.to_vec()))
 }
 
 /// The folder of a mesh file, within that of its document.

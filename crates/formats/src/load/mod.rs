@@ -11,7 +11,7 @@ pub use file::{LoadCause, LoadError, STANDARD};
 pub use meshes::FolderOfDocument;
 
 use crate::xml::{Document, DocumentKind, StructureProblem, XmlProblem};
-use crate::{Diagnostic, Outcome, Problem, Severity, Source, binary, n7_2009, picture, xml};
+use crate::{Diagnostic, Outcome, Problem, Severity, Source, binary, mesh, n7_2009, nff, picture, xml};
 use lancer_scene::{Picture, Scene, Views};
 use std::path::Path;
 
@@ -60,7 +60,8 @@ impl<T> Loaded<T> {
     }
 }
 
-/// Loads a scene: a binary one, a native document, or a document of 2009. The path `-` means standard input.
+/// Loads a scene: a binary one, a native document, a document of 2009, an NFF file, or a mesh
+/// file, which is a scene of one object. The path `-` means standard input.
 ///
 /// # Errors
 /// Why the file cannot be read at all; what is wrong with its content stands in the result.
@@ -68,6 +69,20 @@ pub fn load_scene(path: &Path, options: &LoadOptions) -> Result<Loaded<Scene>, L
     let bytes = file::read(path, options.most_bytes)?;
     if binary::is_binary(&bytes) {
         return Ok(Loaded::bytes(path, binary::read_scene(&bytes)));
+    }
+    if mesh::is_mesh(path) {
+        let (value, warnings) = match meshes::scene_of(path, &bytes, *options) {
+            Ok((scene, warnings)) => (Ok(scene), warnings),
+            Err(problem) => (Err(problem), Vec::new()),
+        };
+        let warnings = warnings.into_iter().map(|warning| Diagnostic::warning(None, warning));
+        let mut loaded = Loaded::bytes(path, value);
+        loaded.diagnostics.extend(warnings);
+        return Ok(loaded);
+    }
+    if nff::is_nff(&bytes) {
+        let nff::NffFile { source, scene, .. } = nff::read(name_of(path), &bytes);
+        return Ok(Loaded { value: scene.value, diagnostics: scene.diagnostics, source, document: None });
     }
     let mut files = FolderOfDocument::new(path, *options);
     Ok(document(path, &bytes, DocumentKind::Scene, |document| match document.kind() {
@@ -78,7 +93,7 @@ pub fn load_scene(path: &Path, options: &LoadOptions) -> Result<Loaded<Scene>, L
     }))
 }
 
-/// Loads views: a native document or one of 2009. The path `-` means standard input.
+/// Loads views: a native document, one of 2009, or the view of an NFF file. The path `-` means standard input.
 ///
 /// # Errors
 /// Why the file cannot be read at all; what is wrong with its content stands in the result.
@@ -86,6 +101,10 @@ pub fn load_views(path: &Path, options: &LoadOptions) -> Result<Loaded<Views>, L
     let bytes = file::read(path, options.most_bytes)?;
     if binary::is_binary(&bytes) {
         return Ok(Loaded::bytes(path, Err(XmlProblem::from(StructureProblem::SceneForViews))));
+    }
+    if nff::is_nff(&bytes) {
+        let nff::NffFile { source, views, .. } = nff::read(name_of(path), &bytes);
+        return Ok(Loaded { value: views.value, diagnostics: views.diagnostics, source, document: None });
     }
     Ok(document(path, &bytes, DocumentKind::Views, |document| match document.kind() {
         Some(DocumentKind::Views2009) => n7_2009::read_views(document),

@@ -18,6 +18,8 @@ mod words;
 
 pub use problem::{MeshFault, MeshProblem};
 
+pub(crate) use triangulate::triangulate;
+
 use builder::Builder;
 use lancer_scene::MeshGeometry;
 use std::path::Path;
@@ -25,6 +27,15 @@ use std::sync::{Arc, OnceLock};
 
 /// So many warnings about one file are told; the rest would say the same.
 const MOST_WARNINGS: usize = 20;
+
+/// The extensions of mesh files; whatever else is a scene or views by its content.
+pub const EXTENSIONS: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
+
+/// Whether a path names a mesh file, by its extension.
+pub fn is_mesh(path: &Path) -> bool {
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    extension.is_some_and(|extension| EXTENSIONS.contains(&&*extension))
+}
 
 /// Where the reader of a scene document gets its mesh files from.
 pub trait MeshFiles {

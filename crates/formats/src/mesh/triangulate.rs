@@ -10,7 +10,7 @@ pub(super) const MOST_CORNERS: usize = 4096;
 
 /// Cuts a polygon of at least three corners into triangles that turn like it, as numbers of its corners. A polygon that
 /// crosses itself is cut somehow.
-pub(super) fn triangulate(corners: &[DVec3], emit: &mut impl FnMut([usize; 3])) {
+pub(crate) fn triangulate(corners: &[DVec3], emit: &mut impl FnMut([usize; 3])) {
     match corners.len() {
         0..=2 => {}
         3 => emit([0, 1, 2]),

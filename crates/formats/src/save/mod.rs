@@ -1,7 +1,7 @@
 //! Writing files: the one place where files are opened for writing.
 //!
-//! A file is written beside its place and moved there when it is whole and on the disk, so a full disk, a kill or a
-//! power cut leaves the old file as it was. Links are followed: what a link names is replaced, the link stays. The
+//! A file is written beside its place and moved there when it is whole, so a full disk or a kill leaves the old file as
+//! it was; what [`save`] writes is on the disk by then, so that a power cut does too. Links are followed: what a link names is replaced, the link stays. The
 //! mode and, where the system lets us, the owner of the old file are kept. Devices, pipes and standard output have no
 //! old content to keep and are written directly.
 
@@ -14,6 +14,7 @@ use lancer_words::{Lang, file as words};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// The name of standard output.
 pub const STANDARD: &str = "-";
@@ -118,13 +119,39 @@ impl From<io::Error> for SaveCause {
     }
 }
 
-/// Writes a file: `write` is called once with the place to write to, and the file appears when it has succeeded.
-/// The path `-` means standard output.
+/// Writes a file of somebody's work: `write` is called once with the place to write to, and the file appears when it
+/// has succeeded and its content is on the disk. The path `-` means standard output.
 ///
 /// # Errors
 /// Why the file cannot be written, be it the system or `write` that says so. A regular file that stood there before is
 /// then whole, and nothing is left beside it.
 pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
+    save_and(path, write, |temporary, target| {
+        temporary.as_file().sync_all()?;
+        temporary.persist(target).map_err(|error| error.error)?;
+        // The move itself reaches the disk with the folder. Where that fails, the file is whole all the same.
+        if let Ok(folder) = File::open(folder_of(target)) {
+            let _ = folder.sync_all();
+        }
+        Ok(())
+    })
+}
+
+/// Writes a file that can be computed again, a picture: as [`save`] does, but the system brings it to the disk when it
+/// likes. To wait for that can take as long as the picture took.
+///
+/// # Errors
+/// Those of [`save`].
+pub fn save_output(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
+    save_and(path, write, |temporary, target| temporary.persist(target).map(drop).map_err(|error| error.error))
+}
+
+/// Writes a file; `appear` moves the whole one to its place.
+fn save_and(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    appear: impl FnOnce(NamedTempFile, &Path) -> io::Result<()>,
+) -> Result<(), SaveError> {
     let failed = |cause| SaveError { path: path.to_owned(), cause };
     match Destination::of(path).map_err(failed)? {
         Destination::Standard => {
@@ -137,15 +164,8 @@ pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
         }
         Destination::Replace { target, old } => {
             let temporary = beside(&target, old.as_ref()).map_err(failed)?;
-            fill(temporary.as_file(), write)
-                .and_then(|file| file.sync_all())
-                .and_then(|()| temporary.persist(&target).map_err(|error| error.error))
-                .map_err(|error| failed(error.into()))?;
-            // The move itself reaches the disk with the folder. Where that fails, the file is whole all the same.
-            if let Ok(folder) = File::open(folder_of(&target)) {
-                let _ = folder.sync_all();
-            }
-            Ok(())
+            fill(temporary.as_file(), write).map_err(|error| failed(error.into()))?;
+            appear(temporary, &target).map_err(|error| failed(error.into()))
         }
     }
 }
@@ -264,7 +284,7 @@ fn forbidden(error: &io::Error) -> bool {
 }
 
 /// A new file in the target's folder that goes when it is dropped.
-fn beside(target: &Path, old: Option<&Metadata>) -> Result<tempfile::NamedTempFile, SaveCause> {
+fn beside(target: &Path, old: Option<&Metadata>) -> Result<NamedTempFile, SaveCause> {
     let folder = folder_of(target);
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lancer-").suffix(".part");

@@ -77,15 +77,8 @@ impl LiveImage {
     pub(super) fn take(&mut self, unit: &Unit, colors: &[[u8; 3]]) {
         let step = unit.pass.step();
         for ((x, y), color) in unit.pixels().zip(colors) {
-            for row in y..(y + step).min(self.height) {
-                for column in x..(x + step).min(self.width) {
-                    let place = row as usize * self.width as usize + column as usize;
-                    if u32::from(self.steps[place]) > step {
-                        self.stale -= u64::from(self.steps[place] == STALE);
-                        self.steps[place] = step as u8;
-                        self.bytes[place] = *color;
-                    }
-                }
+            if step > 1 {
+                self.fill((x, y), step, *color);
             }
             // the pixel itself is exact, whatever its pass
             let place = y as usize * self.width as usize + x as usize;
@@ -94,6 +87,20 @@ impl LiveImage {
                 self.steps[place] = 0;
                 self.bytes[place] = *color;
                 self.exact += 1;
+            }
+        }
+    }
+
+    /// Fills the square of a pixel where an earlier picture or a coarser pass is seen.
+    fn fill(&mut self, (x, y): (u32, u32), step: u32, color: [u8; 3]) {
+        let (first, end) = (x as usize, (x + step).min(self.width) as usize);
+        for row in y..(y + step).min(self.height) {
+            let begin = row as usize * self.width as usize;
+            let places = begin + first..begin + end;
+            let (steps, bytes) = (&mut self.steps[places.clone()], &mut self.bytes[places]);
+            for (known, byte) in steps.iter_mut().zip(bytes).filter(|(known, _)| u32::from(**known) > step) {
+                self.stale -= u64::from(*known == STALE);
+                (*known, *byte) = (step as u8, color);
             }
         }
     }

@@ -13,6 +13,7 @@ use std::num::NonZeroUsize;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
+use thread_priority::{ThreadPriority, ThreadPriorityValue, set_current_thread_priority};
 
 use super::Session;
 
@@ -235,8 +236,16 @@ impl State {
     }
 }
 
+/// How eager the workers are, from 0 to 100; an ordinary thread is 50. On Linux this is a niceness of 10: whoever shows the
+/// pictures gets a processor at once, and the workers get whatever is left over.
+const EAGERNESS: u8 = 25;
+
 /// A worker: takes a unit, computes it, sends it; sleeps where there is none.
 fn work(desk: &Desk, wake_window: &dyn Fn()) {
+    if let Ok(value) = ThreadPriorityValue::try_from(EAGERNESS) {
+        // at an ordinary thread's priority the window is only less smooth
+        let _ = set_current_thread_priority(ThreadPriority::Crossplatform(value));
+    }
     loop {
         let (task, unit) = {
             let mut state = desk.lock();

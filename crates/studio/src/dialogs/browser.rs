@@ -181,7 +181,9 @@ impl Browser {
             let current = names.get(self.filter).cloned().unwrap_or_default();
             let combo = egui::ComboBox::from_id_salt("kinds").selected_text(current).show_ui(ui, |ui| {
                 for (place, name) in names.iter().enumerate() {
-                    ui.selectable_value(&mut self.filter, place, name);
+                    if ui.selectable_value(&mut self.filter, place, name).clicked() {
+                        ui.close();
+                    }
                 }
             });
             let name = words::kinds_of_files(lang);

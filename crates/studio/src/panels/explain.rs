@@ -145,7 +145,9 @@ fn samples(ui: &mut Ui, pixel: &PixelTree, memory: &mut Memory, lang: Lang) -> b
     let name = words::sample(lang, memory.sample + 1, count);
     let combo = egui::ComboBox::from_id_salt("sample").selected_text(&name).width(150.0).show_ui(ui, |ui| {
         for sample in 0..count {
-            ui.selectable_value(&mut memory.sample, sample, words::sample(lang, sample + 1, count));
+            if ui.selectable_value(&mut memory.sample, sample, words::sample(lang, sample + 1, count)).clicked() {
+                ui.close();
+            }
         }
     });
     combo.response.widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, &name));

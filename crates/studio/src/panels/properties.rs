@@ -289,8 +289,10 @@ impl Sheet<'_, '_> {
         let hint = hint(rule, attribute, lang);
         let label = lancer_words::attribute::label(lang, rule.name, attribute.name);
         let mut refused = self.refused.take();
+        // where a view has no depth limit of its own
+        let around = (self.stage().scene.world.depth, lang);
         let change = self
-            .row(ui, label, &hint, default, |ui, id| widget(ui, id, &value, (attribute, label), lang, &mut refused));
+            .row(ui, label, &hint, default, |ui, id| widget(ui, id, &value, (attribute, label), around, &mut refused));
         self.refused = refused;
         self.carry_out(attribute.name, home, change);
     }
@@ -422,7 +424,7 @@ fn widget(
     id: Id,
     value: &Value,
     (attribute, name): (&'static AttributeRule, &str),
-    lang: lancer_words::Lang,
+    (world_depth, lang): (u32, lancer_words::Lang),
     refused: &mut Option<NumberError>,
 ) -> Change<Value> {
     let (least, greatest) = range(attribute.kind).unwrap_or((-limits::COORDINATE, limits::COORDINATE));
@@ -439,9 +441,9 @@ fn widget(
             if response.changed() { Change::Set(Value::Flag(on)) } else { Change::Kept }
         }
         Value::Integer(None) => {
-            let mut own = false;
-            let response = ui.checkbox(&mut own, words::world_depth(lang));
-            if response.changed() { Change::Set(Value::Integer(Some(6))) } else { Change::Kept }
+            let mut worlds = true;
+            let response = ui.checkbox(&mut worlds, words::world_depth(lang));
+            if response.changed() { Change::Set(Value::Integer(Some(world_depth))) } else { Change::Kept }
         }
         Value::Integer(Some(whole)) => widgets::number(ui, f64::from(*whole), &number(0.1, true), refused)
             .map(|whole| Value::Integer(Some(whole as u32))),

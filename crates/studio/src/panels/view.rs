@@ -50,8 +50,9 @@ pub fn show(
     if let Some(lamp) = lamp {
         let modifiers = ui.input(|input| input.modifiers);
         actions.push(Action::Select(picked(context.document, Some(lamp), modifiers.shift || modifiers.command)));
-    } else if let (Some((point, purpose)), Some(world)) = (question(ui, &response, live, &mapping, pointer), &world) {
-        tools.picker.ask(world, view, point, purpose);
+    } else {
+        let asked = question(ui, &response, live, &mapping, pointer);
+        ask(live, view, asked, tools.picker);
     }
     if let Some(place) = pointer.filter(|_| response.clicked() && explains(context)) {
         let pixel = mapping.pixel(place, live.size());
@@ -148,6 +149,21 @@ fn focus(ui: &Ui, context: &Context<'_>, response: &Response, live: &mut LiveVie
     let wants = pressed || response.gained_focus();
     let news = wants && context.active != Some(&*view.name);
     news.then(|| Action::View(view.name.clone(), ViewAction::Focus)).into_iter().collect()
+}
+
+/// Asks what stands somewhere. A click before the scene is compiled for the first time is asked about once it is.
+fn ask(live: &mut LiveView, view: &Arc<View>, asked: Option<((f64, f64), Purpose)>, picker: &Picker) {
+    match live.session().world().cloned() {
+        Some(world) => {
+            for (point, purpose) in live.waiting.take().into_iter().chain(asked) {
+                picker.ask(&world, view, point, purpose);
+            }
+        }
+        None => match asked {
+            Some((_, Purpose::Select { .. })) => live.waiting = asked,
+            Some((_, Purpose::Hover)) | None => {}
+        },
+    }
 }
 
 /// The point of the view that has to be asked about, and why.

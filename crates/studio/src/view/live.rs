@@ -1,6 +1,6 @@
 //! A view while it is shown: its session, and the picture of it on the graphics card.
 
-use super::{Answer, Gesture};
+use super::{Answer, Gesture, Purpose};
 use egui::{ColorImage, TextureHandle, TextureOptions};
 use lancer_render::Region;
 use lancer_render::live::{Job, Session};
@@ -34,6 +34,8 @@ pub struct LiveView {
     pub marking: bool,
     /// What stands under the pointer, as far as it was asked.
     pub under: Option<Answer>,
+    /// A click that cannot be answered yet: its point of the view, and what it is for.
+    pub waiting: Option<((f64, f64), Purpose)>,
     started: Instant,
     /// Some picture was complete before.
     complete: bool,
@@ -60,6 +62,7 @@ impl LiveView {
             gesture: None,
             marking: false,
             under: None,
+            waiting: None,
             started: Instant::now(),
             complete: false,
         }

@@ -14,8 +14,12 @@ pub fn choice(ui: &mut Ui, id: Id, chosen: usize, words: &[String], name: &str) 
         .width(ui.available_width().max(60.0))
         .show_ui(ui, |ui| {
             for (place, word) in words.iter().enumerate() {
-                if ui.selectable_label(place == chosen, word).clicked() && place != chosen {
-                    change = Change::Set(place);
+                if ui.selectable_label(place == chosen, word).clicked() {
+                    // a key closes nothing by itself
+                    ui.close();
+                    if place != chosen {
+                        change = Change::Set(place);
+                    }
                 }
             }
         })

@@ -13,6 +13,9 @@ pub fn color(ui: &mut Ui, id: Id, value: Rgb, field: &Channels<'_>, refused: &mu
         let response = ui
             .scope(|ui| {
                 ui.spacing_mut().interact_size = egui::vec2(26.0, 22.0);
+                // the frame of the field: without it white would be lost on a white panel
+                let frame = ui.visuals().window_stroke.color;
+                ui.visuals_mut().widgets.inactive.bg_fill = frame;
                 ui.color_edit_button_srgb(&mut bytes)
             })
             .inner;

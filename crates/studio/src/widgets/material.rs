@@ -66,10 +66,12 @@ fn list(ui: &mut Ui, scene: &Scene, chosen: &MaterialRef, context: &Context<'_>)
     }
     ui.separator();
     let own = matches!(chosen, MaterialRef::Inline(_));
-    if ui.selectable_label(own, words::own_material(lang)).clicked() && !own {
-        choice = Some(MaterialChoice::Own);
+    if ui.selectable_label(own, words::own_material(lang)).clicked() {
+        ui.close();
+        choice = (!own).then_some(MaterialChoice::Own);
     }
     if ui.button(words::new_material(lang)).clicked() {
+        ui.close();
         choice = Some(MaterialChoice::New(None));
     }
     ui.menu_button(words::new_from_preset(lang), |ui| {

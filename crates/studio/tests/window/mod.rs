@@ -103,7 +103,18 @@ impl Window {
         Window::starting(stage, Lang::English, Vec::new(), Some(folder.to_owned()))
     }
 
+    /// A window after its first frame, when nothing is compiled yet.
+    pub fn just_begun(stage: Stage) -> Window {
+        Window::begun(stage, Lang::English, Vec::new(), None)
+    }
+
     fn starting(stage: Stage, lang: Lang, open: Vec<PathBuf>, journals: Option<PathBuf>) -> Window {
+        let mut window = Window::begun(stage, lang, open, journals);
+        window.settle();
+        window
+    }
+
+    fn begun(stage: Stage, lang: Lang, open: Vec<PathBuf>, journals: Option<PathBuf>) -> Window {
         let dialogs = Scripted::default();
         let scripted = dialogs.clone();
         let mut harness = Harness::builder().with_size(Vec2::new(1000.0, 640.0)).build_eframe(move |creation| {
@@ -114,9 +125,7 @@ impl Window {
             Studio::new(&creation.egui_ctx, start)
         });
         harness.step();
-        let mut window = Window { harness, dialogs };
-        window.settle();
-        window
+        Window { harness, dialogs }
     }
 
     /// Goes on until the pictures are finished and nothing moves any more, and looks whether everything has a name.

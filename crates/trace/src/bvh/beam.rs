@@ -1,7 +1,7 @@
 //! Many rays through a hierarchy at once.
 //!
 //! Up to eight packets of eight rays go down together. A node's eight boxes are tried at once against the interval of all
-//! rays; what is left, box by box, against the intervals of all packets at once; where one or two packets are left, against
+//! rays; what is left, box by box, against the intervals of all packets at once; where few packets are left, against
 //! their rays. All of it is f32 and conservative: a box that a ray can meet before its limit is never passed over.
 //!
 //! How far f32 may be off: an origin relative to the hierarchy's is off by 2⁻²⁴ of itself, and so are products and
@@ -10,18 +10,21 @@
 
 use super::{Bvh, Entry, MAX_DEPTH, Margin, Node, WIDTH};
 use crate::engine::lanes::{Lanes, Mask, Real, Single};
-use crate::engine::packet::{PACKETS, PerPacket};
+use crate::engine::packet::PACKETS;
 use crate::engine::vector::{Vector, lanes};
 use arrayvec::ArrayVec;
 
 /// 2⁻²² and 1 + 2⁻²⁰, see above.
 const WIDER: f32 = 1.0 / 4_194_304.0;
-const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
+pub(super) const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
 /// A component of a direction is never less than this share of the greatest: its quotients stay finite. Within any
 /// distance that coordinates allow a ray turned by this much stays within the widening of the boxes.
 const FLAT: f32 = 1e-20;
 /// A level leaves at most seven open children behind.
-const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
+pub(super) const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
+
+/// So many packets are asked ray by ray at every node.
+const FEW: u32 = 4;
 
 /// The f32 shadow of a packet's rays, relative to a hierarchy's origin.
 #[derive(Clone, Copy)]
@@ -31,11 +34,12 @@ pub(crate) struct Shadow<L: Lanes> {
     /// The greatest component of the direction times the sum of the greatest coordinates of start and hierarchy: what
     /// errors of products grow with.
     pub(crate) spread: L::Single,
-    inverse: [L::Single; 3],
+    pub(super) inverse: [L::Single; 3],
     /// `(origin + w)/direction` and `(origin - w)/direction`, where `w` is what the boxes are wider by.
-    above: [L::Single; 3],
-    below: [L::Single; 3],
-    wider: L::Single,
+    pub(super) above: [L::Single; 3],
+    pub(super) below: [L::Single; 3],
+    /// What the boxes are wider by: 2⁻²² of the greatest coordinates of start and hierarchy.
+    pub(crate) wider: L::Single,
     /// The lanes that hold a ray.
     pub(crate) mask: u8,
 }
@@ -54,10 +58,12 @@ pub(crate) struct Beam<'b, L: Lanes> {
     margin: Margin,
     /// The greatest coordinate of the hierarchy, relative to its origin.
     extent: f32,
-    pub(crate) packets: PerPacket<Shadow<L>>,
+    pub(crate) packets: [Shadow<L>; PACKETS],
+    /// How many of them there are.
+    count: usize,
     /// How far each packet still looks; negative: no more.
     limits: [f32; PACKETS],
-    intervals: PerPacket<Interval>,
+    intervals: Intervals,
 }
 
 /// The packets that go down together, and those of them whose rays go both ways along some axis.
@@ -70,31 +76,10 @@ struct Turn {
 /// Is shown the leaves that rays reach.
 pub(crate) trait Visit<L: Lanes> {
     /// A leaf, and the packets of which some ray may meet its box. May shorten the beam.
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8);
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8);
 
     /// How far some rays of a packet still look; negative: no more.
     fn limit(&self, packet: usize, lanes: u8) -> f32;
-}
-
-/// The box of a leaf.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LeafBox<'n> {
-    node: &'n Node,
-    child: usize,
-}
-
-impl LeafBox<'_> {
-    /// How far the farthest corner is, along some axis, from where each ray starts.
-    #[inline(always)]
-    pub(crate) fn reach<L: Lanes>(&self, rays: &Shadow<L>) -> L::Single {
-        let mut reach = L::Single::splat(0.0);
-        for axis in 0..3 {
-            let low = (L::Single::splat(self.node.low[axis][self.child]) - rays.origin[axis]).abs();
-            let high = (L::Single::splat(self.node.high[axis][self.child]) - rays.origin[axis]).abs();
-            reach = reach.max(low).max(high);
-        }
-        reach
-    }
 }
 
 /// A child that waits for its turn.
@@ -110,13 +95,26 @@ impl<'b, L: Lanes> Beam<'b, L> {
     /// A beam without rays. The margin is that of f64: what a ray's hits can be off.
     #[inline(always)]
     pub(crate) fn new(bvh: &'b Bvh, margin: Margin) -> Beam<'b, L> {
+        let zero = L::Single::splat(0.0);
+        let none = [zero; 3];
+        let nobody = Shadow {
+            origin: none,
+            direction: none,
+            spread: zero,
+            inverse: none,
+            above: none,
+            below: none,
+            wider: zero,
+            mask: 0,
+        };
         Beam {
             bvh,
             margin,
             extent: bvh.extent(),
-            packets: PerPacket::new(),
+            packets: [nobody; PACKETS],
+            count: 0,
             limits: [-1.0; PACKETS],
-            intervals: PerPacket::new(),
+            intervals: Intervals::EMPTY,
         }
     }
 
@@ -149,38 +147,44 @@ impl<'b, L: Lanes> Beam<'b, L> {
             above[axis] = (origin[axis] + wider) * inverse[axis];
             below[axis] = (origin[axis] - wider) * inverse[axis];
         }
+        let place = self.count % PACKETS;
+        self.count += 1;
         if self.bvh.nodes().len() > 1 {
-            self.intervals.push(Interval::of::<L>(&origin, wider, &inverse, mask));
+            self.intervals.set(place, &Interval::of::<L>(&origin, wider, &inverse, mask));
         }
-        self.limits[self.packets.len()] = if mask == 0 { -1.0 } else { limit };
+        self.limits[place] = if mask == 0 { -1.0 } else { limit };
         let spread = greatest * coordinates;
-        self.packets.push(Shadow { origin, direction, spread, inverse, above, below, wider, mask });
+        self.packets[place] = Shadow { origin, direction, spread, inverse, above, below, wider, mask };
     }
 
     /// Adds a packet of which no ray takes part, so that the places of packets stay the same.
     #[inline(always)]
     pub(crate) fn skip(&mut self) {
-        let zero = [L::Single::splat(0.0); 3];
-        let none = Shadow {
-            origin: zero,
-            direction: zero,
-            spread: zero[0],
-            inverse: zero,
-            above: zero,
-            below: zero,
-            wider: zero[0],
-            mask: 0,
-        };
-        if self.bvh.nodes().len() > 1 {
-            self.intervals.push(Interval::EMPTY);
-        }
-        self.packets.push(none);
+        self.count += 1;
     }
 
     /// Shortens a packet's rays; a negative limit ends them.
     #[inline(always)]
     pub(crate) fn shorten(&mut self, packet: usize, limit: f32) {
         self.limits[packet] = limit;
+    }
+
+    /// The packets that look anywhere.
+    #[inline(always)]
+    pub(crate) fn looking(&self) -> u8 {
+        self.still_looking(0.0)
+    }
+
+    /// The packets of which the rays go so different ways that each had better go alone.
+    #[inline(always)]
+    pub(crate) fn scattered(&self) -> u8 {
+        let mut packets = 0;
+        if self.bvh.nodes().len() > 1 {
+            for packet in lanes(self.still_looking(0.0)) {
+                packets |= u8::from(self.intervals.get(packet).axes_of_both_ways() > 1) << packet;
+            }
+        }
+        packets
     }
 
     /// Shows every leaf that some ray reaches before its limit, roughly from near to far.
@@ -203,11 +207,11 @@ impl<'b, L: Lanes> Beam<'b, L> {
             }
             let Entry::Leaf { first, count } = node.children[child].entry() else { continue };
             let mut packets = 0;
-            for packet in 0..self.packets.len() {
+            for packet in 0..self.count.min(PACKETS) {
                 packets |= u8::from(self.rays_meet(packet, node, child) != 0) << packet;
             }
             if packets != 0 {
-                visitor.leaf(self, LeafBox { node, child }, first, count, packets);
+                visitor.leaf(self, first, count, packets);
             }
         }
     }
@@ -218,7 +222,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
         let all = self.still_looking(0.0);
         let mut turn = Turn { packets: 0, wide: 0 };
         for packet in lanes(all) {
-            let axes = self.intervals[packet].axes_of_both_ways();
+            let axes = self.intervals.get(packet).axes_of_both_ways();
             turn.packets |= u8::from(axes <= 1) << packet;
             turn.wide |= u8::from(axes == 1) << packet;
         }
@@ -245,36 +249,32 @@ impl<'b, L: Lanes> Beam<'b, L> {
     fn isolate(&mut self, packet: usize, lane: usize, limit: f32) {
         let rays = &mut self.packets[packet];
         rays.mask = 1 << lane;
-        self.intervals[packet] = Interval::of::<L>(&rays.origin, rays.wider, &rays.inverse, rays.mask);
+        let interval = Interval::of::<L>(&rays.origin, rays.wider, &rays.inverse, rays.mask);
+        self.intervals.set(packet, &interval);
         self.limits[packet] = limit;
     }
 
     /// From the root down, nearer children first.
     #[inline(always)]
     fn walk(&mut self, nodes: &[Node], turn: Turn, visitor: &mut impl Visit<L>) {
-        let (mut whole, mut by_packet) = (Interval::EMPTY, None);
-        if !turn.packets.is_power_of_two() {
-            for packet in lanes(turn.packets) {
-                whole.join(&self.intervals[packet]);
-            }
-            by_packet = Some(Transposed::<L>::of(&self.intervals));
-        }
+        let several = !turn.packets.is_power_of_two();
+        let whole = if several { self.intervals.whole::<L>(turn.packets) } else { Interval::EMPTY };
         let mut open: ArrayVec<Open, OPEN> = ArrayVec::new();
         let (mut number, mut packets) = (0_u32, turn.packets);
         while packets != 0 {
             let node = &nodes[number as usize];
             // one packet alone is tried by its own interval, several by that of all rays
             let alone = packets.is_power_of_two();
-            let interval = if alone { &self.intervals[packets.trailing_zeros() as usize] } else { &whole };
-            let (hits, nears) = interval.meet::<L>(node, self.farthest(packets));
+            let own = if alone { self.intervals.get(packets.trailing_zeros() as usize) } else { whole };
+            let (hits, nears) = own.meet::<L>(node, self.farthest(packets));
             let bottom = open.len();
             for child in lanes(hits) {
                 if !node.holds(child) {
                     continue;
                 }
                 let mut left = packets;
-                if !alone && let Some(by_packet) = &by_packet {
-                    left &= by_packet.meet(node, child, &self.limits);
+                if !alone {
+                    left &= self.intervals.meet::<L>(node, child, &self.limits);
                 }
                 let left = self.refined(left, turn.wide, alone, node, child);
                 if left != 0 {
@@ -300,19 +300,21 @@ impl<'b, L: Lanes> Beam<'b, L> {
                         break;
                     }
                     Entry::Leaf { first, count } => {
-                        visitor.leaf(self, LeafBox { node: parent, child }, first, count, left);
+                        visitor.leaf(self, first, count, left);
                     }
                 }
             }
         }
     }
 
-    /// The packets of which some ray meets a child's box. Ray by ray all are only asked where one or two packets are left,
-    /// which bounds the work, and wide ones; of more, one after the other until one meets it. So a large box costs one
-    /// question, and a box between the rays, of which a mesh seen from afar is full, is left out.
+    /// The packets of which some ray meets a child's box. Ray by ray all are only asked where few packets are left, which
+    /// bounds the work, at leaves, where more depends on it, and wide ones; of others, one after the other until one meets
+    /// it. So a large box costs one question, and a box between the rays, of which a mesh seen from afar is full, is left
+    /// out.
     #[inline(always)]
     fn refined(&self, mut packets: u8, wide: u8, alone: bool, node: &Node, child: usize) -> u8 {
-        let asked = if packets.count_ones() <= 2 { packets } else { packets & wide };
+        let each = packets.count_ones() <= FEW || node.children[child].is_leaf();
+        let asked = if each { packets } else { packets & wide };
         for packet in lanes(asked) {
             // the interval of a single ray is that ray
             let known = alone && self.packets[packet].mask.is_power_of_two();
@@ -346,23 +348,16 @@ impl<'b, L: Lanes> Beam<'b, L> {
     /// The packets that still look as far as that.
     #[inline(always)]
     fn still_looking(&self, near: f32) -> u8 {
-        let mut packets = 0;
-        for packet in 0..PACKETS {
-            let limit = self.limits[packet];
-            packets |= u8::from(limit >= 0.0 && limit * LONGER >= near) << packet;
-        }
-        packets
+        let limits = L::Single::load(&self.limits);
+        let near = L::Single::splat(near);
+        (limits.ge(L::Single::splat(0.0)) & (limits * L::Single::splat(LONGER)).ge(near)).bits()
     }
 
     /// The farthest limit of some packets.
     #[inline(always)]
     fn farthest(&self, packets: u8) -> f32 {
-        let mut farthest = -1.0_f32;
-        for packet in 0..PACKETS {
-            let limit = if packets >> packet & 1 == 1 { self.limits[packet] } else { -1.0 };
-            farthest = if limit > farthest { limit } else { farthest };
-        }
-        farthest
+        let limits = L::Single::load(&self.limits);
+        L::Single::select(L::SingleMask::from_bits(packets), limits, L::Single::splat(-1.0)).greatest()
     }
 }
 
@@ -384,15 +379,6 @@ impl Interval {
             interval.inverse[axis][1] = L::Single::select(mask, inverse[axis], -most).greatest();
         }
         interval
-    }
-
-    /// Takes in another interval.
-    #[inline(always)]
-    fn join(&mut self, other: &Interval) {
-        for axis in 0..3 {
-            self.start[axis] = hull(self.start[axis], other.start[axis]);
-            self.inverse[axis] = hull(self.inverse[axis], other.inverse[axis]);
-        }
     }
 
     /// Along how many axes some rays go up and some down.
@@ -430,16 +416,12 @@ fn narrow<L: Lanes>(vector: Vector<L::Real>) -> [L::Single; 3] {
     [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)]
 }
 
-/// The least and the greatest of two ranges.
-#[inline(always)]
-fn hull(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
-    [if a[0] < b[0] { a[0] } else { b[0] }, if a[1] > b[1] { a[1] } else { b[1] }]
-}
+/// Stands for every quotient.
+const ANY: f32 = 1e30;
 
 /// Rays that go both ways along an axis say nothing about it: every quotient is possible.
 #[inline(always)]
 fn one_sided(inverse: [f32; 2]) -> [f32; 2] {
-    const ANY: f32 = 1e30;
     if inverse[0] < 0.0 && inverse[1] > 0.0 { [-ANY, ANY] } else { inverse }
 }
 
@@ -452,39 +434,71 @@ fn slab<L: Lanes>(low: L::Single, high: L::Single, least: L::Single, greatest: L
 }
 
 /// The intervals of all packets, one packet a lane.
-#[derive(Clone, Copy)]
-struct Transposed<L: Lanes> {
-    start: [[L::Single; 2]; 3],
-    inverse: [[L::Single; 2]; 3],
+#[derive(Clone)]
+struct Intervals {
+    start: [[[f32; PACKETS]; 2]; 3],
+    inverse: [[[f32; PACKETS]; 2]; 3],
 }
 
-impl<L: Lanes> Transposed<L> {
+impl Intervals {
+    /// Those of no ray.
+    const EMPTY: Intervals = {
+        let none = [[f32::INFINITY; PACKETS], [f32::NEG_INFINITY; PACKETS]];
+        Intervals { start: [none; 3], inverse: [none; 3] }
+    };
+
     #[inline(always)]
-    fn of(intervals: &[Interval]) -> Transposed<L> {
-        let zero = L::Single::splat(0.0);
-        let mut transposed = Transposed { start: [[zero; 2]; 3], inverse: [[zero; 2]; 3] };
+    fn set(&mut self, packet: usize, interval: &Interval) {
         for axis in 0..3 {
             for end in 0..2 {
-                let (mut start, mut inverse) = ([0.0; PACKETS], [0.0; PACKETS]);
-                for (packet, interval) in intervals.iter().enumerate() {
-                    start[packet] = interval.start[axis][end];
-                    inverse[packet] = one_sided(interval.inverse[axis])[end];
-                }
-                transposed.start[axis][end] = L::Single::load(&start);
-                transposed.inverse[axis][end] = L::Single::load(&inverse);
+                self.start[axis][end][packet] = interval.start[axis][end];
+                self.inverse[axis][end][packet] = interval.inverse[axis][end];
             }
         }
-        transposed
+    }
+
+    #[inline(always)]
+    fn get(&self, packet: usize) -> Interval {
+        let mut interval = Interval::EMPTY;
+        for axis in 0..3 {
+            for end in 0..2 {
+                interval.start[axis][end] = self.start[axis][end][packet];
+                interval.inverse[axis][end] = self.inverse[axis][end][packet];
+            }
+        }
+        interval
+    }
+
+    /// The interval around those of some packets.
+    #[inline(always)]
+    fn whole<L: Lanes>(&self, packets: u8) -> Interval {
+        let mask = L::SingleMask::from_bits(packets);
+        let most = L::Single::splat(f32::INFINITY);
+        let mut whole = Interval::EMPTY;
+        for axis in 0..3 {
+            let (start, inverse) = (&self.start[axis], &self.inverse[axis]);
+            whole.start[axis][0] = L::Single::select(mask, L::Single::load(&start[0]), most).least();
+            whole.start[axis][1] = L::Single::select(mask, L::Single::load(&start[1]), -most).greatest();
+            whole.inverse[axis][0] = L::Single::select(mask, L::Single::load(&inverse[0]), most).least();
+            whole.inverse[axis][1] = L::Single::select(mask, L::Single::load(&inverse[1]), -most).greatest();
+        }
+        whole
     }
 
     /// The packets of which some ray may meet a child's box before their limits.
     #[inline(always)]
-    fn meet(&self, node: &Node, child: usize, limits: &[f32; PACKETS]) -> u8 {
+    fn meet<L: Lanes>(&self, node: &Node, child: usize, limits: &[f32; PACKETS]) -> u8 {
         let (mut near, mut far) = (L::Single::splat(0.0), L::Single::load(limits));
         for axis in 0..3 {
-            let low = L::Single::splat(node.low[axis][child]) - self.start[axis][1];
-            let high = L::Single::splat(node.high[axis][child]) - self.start[axis][0];
-            let (enter, leave) = slab::<L>(low, high, self.inverse[axis][0], self.inverse[axis][1]);
+            let (start, inverse) = (&self.start[axis], &self.inverse[axis]);
+            let low = L::Single::splat(node.low[axis][child]) - L::Single::load(&start[1]);
+            let high = L::Single::splat(node.high[axis][child]) - L::Single::load(&start[0]);
+            let (least, greatest) = (L::Single::load(&inverse[0]), L::Single::load(&inverse[1]));
+            let zero = L::Single::splat(0.0);
+            let both = least.lt(zero) & greatest.gt(zero);
+            let least = L::Single::select(both, L::Single::splat(-ANY), least);
+            let greatest = L::Single::select(both, L::Single::splat(ANY), greatest);
+            let (enter, leave) = slab::<L>(low, high, least, greatest);
             near = near.max(enter);
             far = far.min(leave);
         }

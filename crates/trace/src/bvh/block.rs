@@ -26,22 +26,6 @@ impl Block {
     pub(crate) const EMPTY: Block =
         Block { corners: [[[f32::NAN; Block::FACETS]; 3]; 3], facets: [NO_FACET; Block::FACETS] };
 
-    /// The facets of blocks: the lanes that hold one, block by block.
-    #[inline(always)]
-    pub(crate) fn lanes(blocks: &[Block]) -> impl Iterator<Item = (&Block, usize)> {
-        let all = blocks.iter().flat_map(|block| (0..Block::FACETS).map(move |lane| (block, lane)));
-        all.filter(|(block, lane)| block.facets[*lane] != NO_FACET)
-    }
-
-    /// The facets of one or two blocks: their numbers, and their places among eight.
-    #[inline(always)]
-    pub(crate) fn places(blocks: &[Block]) -> impl Iterator<Item = (u32, usize)> {
-        let all = blocks.iter().enumerate();
-        let all =
-            all.flat_map(|(half, block)| (0..Block::FACETS).map(move |lane| (block.facets[lane], 4 * half + lane)));
-        all.filter(|(number, _)| *number != NO_FACET)
-    }
-
     /// The facets that are there.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = u32> + '_ {
         self.facets.iter().copied().filter(|&facet| facet != NO_FACET)

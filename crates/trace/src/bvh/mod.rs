@@ -16,16 +16,18 @@ mod cost;
 mod extreme;
 mod huge;
 mod node;
+mod single;
 mod walk;
 
 #[cfg(test)]
 mod tests;
 
-pub(crate) use beam::{Beam, LeafBox, Shadow, Visit};
-pub(crate) use block::{Block, Triangles};
+pub(crate) use beam::{Beam, Shadow, Visit};
+pub(crate) use block::{Block, NO_FACET, Triangles};
 pub(crate) use bounds::Bounds;
 pub(crate) use build::{Frame, Source};
 pub(crate) use node::{Child, Entry, Node};
+pub(crate) use single::{Follow, Scattered};
 pub(crate) use walk::Sight;
 
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! The nodes of a hierarchy: the boxes of eight children side by side, and where the children are.
 
 use super::WIDTH;
-use bytemuck::Zeroable;
+use bytemuck::{Pod, Zeroable};
 
 /// An inner node. The children's boxes are relative to the hierarchy's origin and rounded outwards.
 #[repr(C, align(32))]
@@ -34,7 +34,7 @@ impl Node {
 
 /// Where a child is, in 32 bits. Bit 31: it is a leaf; then bits 28 to 30 hold its count less 1, the rest its first.
 #[repr(transparent)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Zeroable, Pod)]
 pub(crate) struct Child(u32);
 
 /// What a child is.
@@ -49,7 +49,8 @@ pub(crate) enum Entry {
 impl Child {
     const LEAF: u32 = 1 << 31;
     const COUNT_SHIFT: u32 = 28;
-    const FIRST: u32 = (1 << Child::COUNT_SHIFT) - 1;
+    /// The bits of a leaf's first place.
+    pub(crate) const FIRST: u32 = (1 << Child::COUNT_SHIFT) - 1;
     /// The greatest count of a leaf.
     pub(crate) const MOST: usize = 8;
     /// How many nodes and how many places in leaves a hierarchy can have.
@@ -65,7 +66,20 @@ impl Child {
         Child(Child::LEAF | (count - 1) << Child::COUNT_SHIFT | first)
     }
 
+    /// Whether it is a leaf.
+    #[inline(always)]
+    pub(crate) fn is_leaf(self) -> bool {
+        self.0 & Child::LEAF != 0
+    }
+
+    /// The child of these bits.
+    #[inline(always)]
+    pub(crate) fn of_bits(bits: u32) -> Child {
+        Child(bits)
+    }
+
     /// What it is.
+    #[inline(always)]
     pub(crate) fn entry(self) -> Entry {
         if self.0 & Child::LEAF == 0 {
             Entry::Inner(self.0)

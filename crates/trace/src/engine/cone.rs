@@ -4,8 +4,11 @@
 
 use super::dispatch::{Backend, Step};
 use super::lanes::{Lanes, Mask, Real};
+use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
+use super::shadows::ToLamp;
 use super::vector::{Vector, mask};
 use crate::reference::intersect::{Cone, ConeFace};
+use glam::DVec3;
 
 const SIDE: usize = ConeFace::Side.number() as usize;
 const BASE: usize = ConeFace::Base.number() as usize;
@@ -20,60 +23,84 @@ struct Ends<L: Lanes> {
 }
 
 /// Where rays meet a cone.
-#[derive(Clone, Copy)]
-pub(super) struct ConeHits<L: Lanes> {
+struct ConeHits<L: Lanes> {
     /// The lanes that meet each face.
-    pub(super) faces: [u8; 3],
-    pub(super) t: L::Real,
+    faces: [u8; 3],
+    t: L::Real,
     /// The other end of each chord.
     other: L::Real,
 }
 
-impl<L: Lanes> ConeHits<L> {
-    /// No hits.
-    #[inline(always)]
-    pub(super) fn none() -> ConeHits<L> {
-        let zero = L::Real::splat(0.0);
-        ConeHits { faces: [0; 3], t: zero, other: zero }
+/// The hits of a packet's rays, those of `starts_here` starting on the cone (`reference::intersect_cone`).
+#[inline(always)]
+fn cone_hits<L: Lanes>(packet: &Packet<L>, cone: &Cone, starts_here: u8) -> ConeHits<L> {
+    let zero = L::Real::splat(0.0);
+    let Ends { enter, leave, entered, left } = ends::<L>(packet.origin, packet.direction, cone);
+    let is_entered = entered[SIDE] | entered[BASE] | entered[TOP];
+    let here = starts_here & (enter + leave).gt(zero).bits();
+    let first = is_entered & enter.gt(zero).bits() & !starts_here;
+    let second = leave.gt(zero).bits() & !first & !starts_here | here;
+    let mut faces = [0; 3];
+    for face in 0..3 {
+        faces[face] = entered[face] & first | left[face] & second;
     }
-
-    /// The lanes that meet it.
-    #[inline(always)]
-    pub(super) fn lanes(&self) -> u8 {
-        self.faces[SIDE] | self.faces[BASE] | self.faces[TOP]
-    }
-
-    /// The lanes whose hit is a lamp's own place on the cone (`reference`'s `Cone::is_at_lamp`).
-    #[inline(always)]
-    pub(super) fn at_lamp(&self, distance: L::Real) -> u8 {
-        (distance - self.t).abs().le((distance - self.other).abs()).bits()
-    }
+    let takes_first = mask::<L::Real>(first);
+    let (t, other) = (L::Real::select(takes_first, enter, leave), L::Real::select(takes_first, leave, enter));
+    ConeHits { faces, t, other }
 }
 
-/// Tries a cone with eight rays, those of `starts_here` starting on it (`reference::intersect_cone`).
-pub(super) struct TryCone<'s, L: Lanes> {
-    pub(super) origin: Vector<L::Real>,
-    pub(super) direction: Vector<L::Real>,
+/// Tries a cone with some rays of each packet of a block.
+pub(super) struct NearestOnCone<'s, B: Backend> {
     pub(super) cone: &'s Cone,
-    pub(super) starts_here: u8,
-    pub(super) hits: &'s mut ConeHits<L>,
+    pub(super) body: u32,
+    pub(super) eye_lies_on: &'s [u32],
+    pub(super) block: &'s Block<B>,
+    pub(super) hits: &'s mut PerPacket<Hits<B>>,
+    pub(super) rays: &'s [u8; PACKETS],
 }
 
-impl<B: Backend> Step<B> for TryCone<'_, B> {
+impl<B: Backend> Step<B> for NearestOnCone<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let zero = B::Real::splat(0.0);
-        let Ends { enter, leave, entered, left } = ends::<B>(self.origin, self.direction, self.cone);
-        let is_entered = entered[SIDE] | entered[BASE] | entered[TOP];
-        let here = self.starts_here & (enter + leave).gt(zero).bits();
-        let first = is_entered & enter.gt(zero).bits() & !self.starts_here;
-        let second = leave.gt(zero).bits() & !first & !self.starts_here | here;
-        for face in 0..3 {
-            self.hits.faces[face] = entered[face] & first | left[face] & second;
+        let NearestOnCone { cone, body, eye_lies_on, block, hits, rays } = self;
+        for (place, packet) in block.packets.iter().enumerate() {
+            if rays[place] != 0 {
+                let found = cone_hits::<B>(packet, cone, packet.starts_on(body, eye_lies_on));
+                for (face, met) in (0..).zip(found.faces) {
+                    hits[place].take(met & rays[place], found.t, None, body, face);
+                }
+            }
         }
-        let takes_first = mask::<B::Real>(first);
-        self.hits.t = B::Real::select(takes_first, enter, leave);
-        self.hits.other = B::Real::select(takes_first, leave, enter);
+    }
+}
+
+/// Finds the rays to a lamp that meet a cone before it.
+pub(super) struct BlockedByCone<'s, B: Backend> {
+    pub(super) cone: &'s Cone,
+    pub(super) body: u32,
+    pub(super) lamp: DVec3,
+    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) blocked: &'s mut [u8; PACKETS],
+    pub(super) asked: &'s [u8; PACKETS],
+}
+
+impl<B: Backend> Step<B> for BlockedByCone<'_, B> {
+    #[inline(always)]
+    fn run(self) {
+        let BlockedByCone { cone, body, lamp, rays, blocked, asked } = self;
+        let lamp_lies_on_it = cone.lies_on(lamp);
+        for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
+            let open = asked[place] & !blocked[place];
+            if open != 0 {
+                let ConeHits { faces, t, other } = cone_hits::<B>(packet, cone, packet.starts_on(body, &[]));
+                let mut met = (faces[SIDE] | faces[BASE] | faces[TOP]) & open & t.lt(*distance).bits();
+                if lamp_lies_on_it {
+                    // the lamp's own place on the cone is no hit (`Cone::is_at_lamp`)
+                    met &= !(*distance - t).abs().le((*distance - other).abs()).bits();
+                }
+                blocked[place] |= met;
+            }
+        }
     }
 }
 
@@ -96,6 +123,11 @@ fn ends<L: Lanes>(origin: Vector<L::Real>, direction: Vector<L::Real>, cone: &Co
     let c = beside.dot(beside) - radius * radius;
     let delta = b * b - a * c;
     let two_roots = delta.gt(zero);
+    let steep = a.lt(zero);
+    // most rays pass beside it: without roots, and not down the axis
+    if (two_roots | steep | (a.eq(zero) & b.eq(zero))).bits() == 0 {
+        return Ends { enter: infinity, leave: -infinity, entered: [0; 3], left: [0; 3] };
+    }
     let root = L::Real::select(two_roots, delta.sqrt(), zero);
     let q = L::Real::select(b.gt(zero), -(b + root), root - b);
     let first = q / a;
@@ -104,7 +136,6 @@ fn ends<L: Lanes>(origin: Vector<L::Real>, direction: Vector<L::Real>, cone: &Co
     let near_root = L::Real::select(ordered, first, second);
     let far_root = L::Real::select(ordered, second, first);
 
-    let steep = a.lt(zero);
     let chord = !steep & two_roots & (radius * a - growth * b).gt(zero);
     let along = !steep & !chord & a.eq(zero) & b.eq(zero) & c.lt(zero);
     let grows = steep & growth.gt(zero);

@@ -3,20 +3,20 @@
 //! Boxes are culled for rays from the lamp: they have their start in common, so a beam of them is narrow where it begins.
 //! What is left is decided for the rays from the points, as the reference does.
 
-use super::cone::{ConeHits, TryCone};
+use super::cone::BlockedByCone;
 use super::dispatch::{Backend, Step};
+use super::facets_blocking::OnFacets;
 use super::few::{Aimed, Hull, Start};
-use super::hidden_surfaces::{Candidates, UPWARDS, not_started_on, send, try_leaf};
-use super::intersect::{facet, plane, sphere};
+use super::hidden_surfaces::UPWARDS;
+use super::intersect::{plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{PACKETS, Packet};
 use super::vector::{Vector, lanes};
 use crate::World;
-use crate::bvh::{Beam, LeafBox, Visit};
+use crate::bvh::{Beam, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
-use crate::world::{Facets, Geometry};
+use crate::world::Geometry;
 use glam::DVec3;
-use std::ops::Range;
 
 /// Rays from points to a lamp: `packet.mask` are the points that ask.
 #[derive(Clone, Copy)]
@@ -147,20 +147,8 @@ fn try_body<L: Backend>(
             }
         }
         Geometry::Cone(cone) => {
-            for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
-                let open = asked[place] & !blocked[place];
-                if open == 0 {
-                    continue;
-                }
-                let starts_here = packet.starts_on(number, &[]);
-                let mut found = ConeHits::none();
-                let (origin, direction) = (packet.origin, packet.direction);
-                L::enter(TryCone { origin, direction, cone, starts_here, hits: &mut found });
-                let mut met = found.lanes() & open & found.t.lt(*distance).bits();
-                if met != 0 && cone.lies_on(lamp) {
-                    met &= !found.at_lamp(*distance);
-                }
-                blocked[place] |= met;
+            if *asked != [0; PACKETS] {
+                L::enter(BlockedByCone { cone, body: number, lamp, rays, blocked, asked });
             }
         }
         // planes have no bounds
@@ -171,7 +159,7 @@ fn try_body<L: Backend>(
 impl<L: Lanes> ToLamp<L> {
     /// How far some rays look: no more if there are none.
     #[inline(always)]
-    fn limit(&self, lanes: u8) -> f32 {
+    pub(super) fn limit(&self, lanes: u8) -> f32 {
         if lanes == 0 { -1.0 } else { self.farthest(lanes) }
     }
 
@@ -199,7 +187,7 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, _: LeafBox<'_>, first: u32, count: u32, packets: u8) {
+    fn leaf(&mut self, beam: &mut Beam<'_, L>, first: u32, count: u32, packets: u8) {
         let mut asked = [0; PACKETS];
         for place in lanes(packets) {
             asked[place] = beam.packets[place].mask;
@@ -210,88 +198,5 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
         for place in lanes(packets) {
             beam.shorten(place, self.limit(place, asked[place]));
         }
-    }
-}
-
-/// Tries a set of facets with some rays of each packet.
-struct OnFacets<'s, B: Backend> {
-    facets: &'s Facets,
-    body: u32,
-    lamp: DVec3,
-    rays: &'s [ToLamp<B>],
-    blocked: &'s mut [u8; PACKETS],
-    asked: &'s [u8; PACKETS],
-}
-
-impl<B: Backend> Step<B> for OnFacets<'_, B> {
-    #[inline(always)]
-    fn run(self) {
-        let OnFacets { facets, body, lamp, rays, blocked, asked } = self;
-        let mut within = Beam::new(facets.bvh(), facets.margin());
-        for (place, ray) in rays.iter().enumerate() {
-            let open = asked[place] & !blocked[place];
-            send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
-        }
-        within.traverse(&mut FacetLeaves { facets, body, lamp, rays, blocked });
-    }
-}
-
-/// Tries the facets of leaves.
-struct FacetLeaves<'v, L: Lanes> {
-    facets: &'v Facets,
-    body: u32,
-    lamp: DVec3,
-    rays: &'v [ToLamp<L>],
-    blocked: &'v mut [u8; PACKETS],
-}
-
-impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
-    #[inline(always)]
-    fn limit(&self, packet: usize, lanes: u8) -> f32 {
-        self.rays[packet].limit(lanes & !self.blocked[packet])
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, beam: &mut Beam<'_, L>, place: LeafBox<'_>, first: u32, count: u32, packets: u8) {
-        L::enter(TryFacets { leaves: self, beam, place, blocks: first..first + count, packets });
-    }
-}
-
-/// Tries the facets of a leaf with some packets.
-struct TryFacets<'s, 'v, 'b, 'n, B: Backend> {
-    leaves: &'s mut FacetLeaves<'v, B>,
-    beam: &'s mut Beam<'b, B>,
-    place: LeafBox<'n>,
-    blocks: Range<u32>,
-    packets: u8,
-}
-
-impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, '_, B> {
-    #[inline(always)]
-    fn run(self) {
-        let leaves = self.leaves;
-        let blocks = &leaves.facets.blocks()[self.blocks.start as usize..self.blocks.end as usize];
-        // for culling all rays start at the lamp
-        try_leaf(self.beam, self.place, blocks, self.packets, true, leaves);
-    }
-}
-
-impl<L: Backend> Candidates<L> for FacetLeaves<'_, L> {
-    #[inline(always)]
-    fn try_facet(&mut self, place: usize, may: u8, number: u32) -> bool {
-        let ToLamp { packet, distance, .. } = &self.rays[place];
-        let may = may & !self.blocked[place];
-        if may == 0 {
-            return false;
-        }
-        let corners = self.facets.corners(number);
-        let found = facet::<L>(packet.origin, packet.direction, corners);
-        let met = found.lanes & may & found.t.lt(*distance).bits();
-        if met == 0 || lies_in_plane(self.lamp, corners[0], corners[1], corners[2]) {
-            return false;
-        }
-        let hidden = not_started_on(packet, met, corners, self.body);
-        self.blocked[place] |= hidden;
-        hidden != 0
     }
 }

@@ -10,6 +10,9 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+/// So few objects are compiled sooner than other threads wake.
+const TOGETHER: usize = 64;
+
 impl World {
     /// Compiles a scene. The scene should have passed `Scene::check`; of one that has not, parts that make no sense
     /// are left out.
@@ -49,15 +52,15 @@ impl World {
             | Shape::Cone { .. } => None,
         }));
         let before = Before::of(self, &objects);
-        let geometries: Vec<Geometry> = objects
-            .par_iter()
-            .enumerate()
-            .with_min_len(64)
-            .map(|(place, object)| match before.body(place, object) {
-                Some(body) => body.geometry.clone(),
-                None => Geometry::of(&object.shape, &packs),
-            })
-            .collect();
+        let geometry = |(place, object): (usize, &&Arc<Object>)| match before.body(place, object) {
+            Some(body) => body.geometry.clone(),
+            None => Geometry::of(&object.shape, &packs),
+        };
+        let geometries: Vec<Geometry> = if objects.len() <= TOGETHER {
+            objects.iter().enumerate().map(geometry).collect()
+        } else {
+            objects.par_iter().enumerate().with_min_len(TOGETHER).map(geometry).collect()
+        };
         let bodies: Vec<Body> = objects
             .iter()
             .zip(geometries)

@@ -54,8 +54,8 @@ fn stage() -> Stage {
         Shape::Plane { p0: DVec3::NEG_Y, p1: DVec3::new(0.0, -1.0, 1.0), p2: DVec3::new(1.0, -1.0, 0.0) },
         Shape::Cube { center: DVec3::new(-0.5, 0.2, 0.3), edge: 0.5, rotation: DVec3::new(0.0, 30.0, 0.0) },
         Shape::Parallelepiped { origin: DVec3::ONE, edges: [DVec3::X, DVec3::new(0.1, 0.5, 0.0), DVec3::Z] },
-        Shape::Cone { base: DVec3::NEG_ONE, top: DVec3::Y, base_radius: 0.4, top_radius: 0.1, capped: true },
         Shape::Facet { p0: DVec3::X * 2.0, p1: DVec3::Y, p2: DVec3::Z },
+        Shape::Cone { base: DVec3::NEG_ONE, top: DVec3::Y, base_radius: 0.4, top_radius: 0.1, capped: true },
     ];
     let mut stage = Stage::default();
     let glass = Surface { kt: Rgb::splat(0.5), ..Surface::default() };

@@ -145,8 +145,8 @@ donnent 0.",
 
     /// SCENE
     scene_help() {
-        "The scene: XML, binary (.lancer), or a document of 2009",
-        "La scène : XML, binaire (.lancer) ou document de 2009",
+        "The scene: XML, binary (.lancer), NFF, a mesh file, or a document of 2009",
+        "La scène : XML, binaire (.lancer), NFF, fichier de maillage ou document de 2009",
     }
     /// SCENE of show
     show_help() { "A scene, or views", "Une scène, ou des vues" }

@@ -122,6 +122,7 @@ fn singles<L: Lanes>(operands: &Operands) -> Results {
         ("f32 p / q", single(p / q)),
         ("f32 -p", single(-p)),
         ("f32 abs", single(p.abs())),
+        ("f32 flipped_by", single(p.flipped_by(q))),
         ("f32 min", single(p.min(q))),
         ("f32 max", single(p.max(q))),
         ("f32 lt", truth(p.lt(q))),
@@ -187,6 +188,7 @@ fn expected(operands: &Operands) -> Results {
         ("f32 p / q", single(&|i| p[i] / q[i])),
         ("f32 -p", single(&|i| -p[i])),
         ("f32 abs", single(&|i| p[i].abs())),
+        ("f32 flipped_by", single(&|i| if q[i].is_sign_negative() { -p[i] } else { p[i] })),
         ("f32 min", single(&|i| if p[i] < q[i] { p[i] } else { q[i] })),
         ("f32 max", single(&|i| if p[i] > q[i] { p[i] } else { q[i] })),
         ("f32 lt", truths(&|i| p[i] < q[i])),
@@ -326,5 +328,39 @@ fn masks_keep_their_bits() {
     let all: Vec<(u8, u8)> = (0..=255).map(|bits| (bits, bits)).collect();
     for (backend, bits) in on_every_backend(&Bits) {
         assert_eq!(bits, all, "{backend}");
+    }
+}
+
+/// Keys of which the lanes of a set are not negative.
+struct Keys([f32; 8]);
+
+impl Kernel for Keys {
+    type Output = ([f32; 8], [u32; 8]);
+
+    #[inline(always)]
+    fn run<L: Lanes>(&self) -> ([f32; 8], [u32; 8]) {
+        L::greatest_first(L::Single::load(&self.0), &[10, 11, 12, 13, 14, 15, 16, 17])
+    }
+}
+
+#[test]
+fn lanes_are_sorted_by_their_keys() {
+    for set in 0..=255_u8 {
+        for turn in 0..16_u32 {
+            // in many orders, some alike, one nothing
+            let key =
+                |lane: u32| if set >> lane & 1 == 1 { (lane * (turn | 1) % 8 * 37 % 24) as f32 * 0.3 } else { -1.0 };
+            let keys: [f32; 8] = std::array::from_fn(|lane| key(lane as u32));
+            let mut expected: Vec<(u32, u32)> = (0..8)
+                .filter(|lane| set >> lane & 1 == 1)
+                .map(|lane: u32| (keys[lane as usize].to_bits() & !7, 10 + lane))
+                .collect();
+            expected.sort_unstable_by(|a, b| b.cmp(a));
+            for (backend, (sorted, of)) in on_every_backend(&Keys(keys)) {
+                let got: Vec<(u32, u32)> =
+                    sorted.iter().map(|key| key.to_bits()).zip(of).take(expected.len()).collect();
+                assert_eq!(got, expected, "{backend} {keys:?}");
+            }
+        }
     }
 }

@@ -53,6 +53,31 @@ impl Lanes for Avx2 {
             _mm256_movemask_ps(_mm256_castsi256_ps(same)) as u8
         }
     }
+
+    #[inline(always)]
+    fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+        // SAFETY: these types exist only where AVX2 is (the module's text).
+        unsafe {
+            let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+            // as integers they are ordered as they are; the lane is part of the number
+            let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys.0)), place);
+            let key = sorted(key);
+            let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
+            let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
+            (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
+        }
+    }
+
+    #[inline(always)]
+    fn prefetch<T>(memory: &T) {
+        let start = std::ptr::from_ref(memory).cast::<i8>();
+        let mut line = 0;
+        while line < size_of::<T>() {
+            // SAFETY: within the borrowed memory, which is not even read.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
+            line += 64;
+        }
+    }
 }
 
 /// Methods of two operands, one instruction a register.
@@ -347,6 +372,12 @@ impl Single for Singles {
         Singles(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
     }
 
+    #[inline(always)]
+    fn flipped_by(self, sign: Self) -> Self {
+        // SAFETY: this type exists only where AVX2 is (the module's text).
+        Singles(unsafe { _mm256_xor_ps(self.0, _mm256_and_ps(_mm256_set1_ps(-0.0), sign.0)) })
+    }
+
     instructions!(Singles: min _mm256_min_ps max _mm256_max_ps);
     comparisons!(SingleMask: lt _CMP_LT_OQ le _CMP_LE_OQ gt _CMP_GT_OQ ge _CMP_GE_OQ);
 
@@ -374,6 +405,57 @@ impl Single for Singles {
             let two = _mm_max_ps(four, _mm_movehl_ps(four, four));
             _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)))
         }
+    }
+}
+
+/// For each set of lanes the numbers of its lanes, then those of the others.
+static CHOSEN_FIRST: [[u8; 8]; 256] = {
+    let mut table = [[0; 8]; 256];
+    let mut set = 0;
+    while set < 256 {
+        let (mut place, mut wanted) = (0, 2);
+        while wanted > 0 {
+            wanted -= 1;
+            let mut lane = 0;
+            while lane < 8 {
+                if set >> lane & 1 == wanted {
+                    table[set][place] = lane as u8;
+                    place += 1;
+                }
+                lane += 1;
+            }
+        }
+        set += 1;
+    }
+    table
+};
+
+/// Eight integers, those that are not negative first, and of them the greatest first.
+#[inline(always)]
+pub(super) fn sorted(key: __m256i) -> __m256i {
+    /// Each lane with its partner, which the permutation brings to it; of the two the lanes of `LESS` keep the lesser.
+    #[inline(always)]
+    fn round<const LESS: i32>(key: __m256i, partner: __m256i) -> __m256i {
+        // SAFETY: called only where AVX2 is (the module's text).
+        unsafe { _mm256_blend_epi32::<LESS>(_mm256_max_epi32(key, partner), _mm256_min_epi32(key, partner)) }
+    }
+    // SAFETY: called only where AVX2 is (the module's text).
+    unsafe {
+        let set = !_mm256_movemask_ps(_mm256_castsi256_ps(key)) & 0xff;
+        let chosen = _mm_cvtsi64_si128(i64::from_le_bytes(CHOSEN_FIRST[set as usize]));
+        let key = _mm256_permutevar8x32_epi32(key, _mm256_cvtepu8_epi32(chosen));
+        // 0-2 1-3, 0-1 2-3, 1-2 of each half: enough for four
+        let key = round::<0b1100_1100>(key, _mm256_shuffle_epi32::<0b01_00_11_10>(key));
+        let key = round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key));
+        let key = round::<0b0100_0100>(key, _mm256_shuffle_epi32::<0b11_01_10_00>(key));
+        if _mm256_extract_epi32::<4>(key) < 0 {
+            return key;
+        }
+        // two halves, each the greatest first, are merged: 0-7 1-6 2-5 3-4, 0-2 1-3 4-6 5-7, 0-1 2-3 4-5 6-7
+        let turned = _mm256_permute4x64_epi64::<0b00_01_10_11>(_mm256_shuffle_epi32::<0b10_11_00_01>(key));
+        let key = round::<0b1111_0000>(key, turned);
+        let key = round::<0b1100_1100>(key, _mm256_shuffle_epi32::<0b01_00_11_10>(key));
+        round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key))
     }
 }
 

@@ -46,6 +46,31 @@ impl Lanes for Avx512 {
         // SAFETY: as above; the eight numbers are read where they stand, which need not be aligned.
         unsafe { _mm256_cmpeq_epi32_mask(_mm256_loadu_si256(list.as_ptr().cast()), _mm256_set1_epi32(value as i32)) }
     }
+
+    #[inline(always)]
+    fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+        // SAFETY: these types exist only where AVX-512 is (the module's text).
+        unsafe {
+            let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+            // as integers they are ordered as they are; the lane is part of the number
+            let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys.0)), place);
+            let key = super::avx2::sorted(key);
+            let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
+            let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
+            (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
+        }
+    }
+
+    #[inline(always)]
+    fn prefetch<T>(memory: &T) {
+        let start = std::ptr::from_ref(memory).cast::<i8>();
+        let mut line = 0;
+        while line < size_of::<T>() {
+            // SAFETY: within the borrowed memory, which is not even read.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
+            line += 64;
+        }
+    }
 }
 
 impl Mask for Bits {
@@ -273,6 +298,12 @@ impl Single for Singles {
     fn abs(self) -> Self {
         // SAFETY: this type exists only where AVX-512 is (the module's text).
         Singles(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn flipped_by(self, sign: Self) -> Self {
+        // SAFETY: this type exists only where AVX-512 is (the module's text).
+        Singles(unsafe { _mm256_xor_ps(self.0, _mm256_and_ps(_mm256_set1_ps(-0.0), sign.0)) })
     }
 
     instructions!(Singles: min _mm256_min_ps max _mm256_max_ps);

@@ -44,6 +44,13 @@ pub(crate) trait Lanes: Copy + Send + Sync + 'static {
 
     /// The lanes of a list of numbers that hold `value`: lane `i` in bit `i`.
     fn equal(list: &[u32; 8], value: u32) -> u8;
+
+    /// The lanes that are not negative, greatest first, and with them what belongs to them; what stands after those has
+    /// no meaning. The last three bits of each are cleared. There is neither NaN nor -0 among them.
+    fn greatest_first(keys: Self::Single, of: &[u32; 8]) -> ([f32; 8], [u32; 8]);
+
+    /// Has memory fetched that will be read soon. Nothing but the time until then depends on it.
+    fn prefetch<T>(memory: &T);
 }
 
 /// One truth value a lane. The operators work lane by lane.
@@ -143,6 +150,9 @@ pub(crate) trait Single:
 
     /// Clears the sign bit, of zeros and NaN too.
     fn abs(self) -> Self;
+
+    /// Flips the sign bit where that of `sign` is set.
+    fn flipped_by(self, sign: Self) -> Self;
 
     /// `if self < other { self } else { other }`: `other` where either is NaN or both are zeros.
     fn min(self, other: Self) -> Self;

@@ -39,6 +39,28 @@ impl Lanes for Portable {
         }
         bits
     }
+
+    #[inline(always)]
+    fn greatest_first(keys: Eight<f32>, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+        let (mut sorted, mut order, mut count) = ([0.0; 8], [0; 8], 0);
+        for lane in 0..8 {
+            if keys.0[lane] >= 0.0 {
+                let key = f32::from_bits(keys.0[lane].to_bits() & !7);
+                let mut place = count;
+                while place > 0 && sorted[place - 1] <= key {
+                    sorted[place] = sorted[place - 1];
+                    order[place] = order[place - 1];
+                    place -= 1;
+                }
+                (sorted[place], order[place]) = (key, of[lane]);
+                count += 1;
+            }
+        }
+        (sorted, order)
+    }
+
+    #[inline(always)]
+    fn prefetch<T>(_: &T) {}
 }
 
 impl<T: Copy> Eight<T> {
@@ -244,6 +266,12 @@ impl Single for Eight<f32> {
     #[inline(always)]
     fn of_halves(low: &[f32; 4], high: &[f32; 4]) -> Self {
         Eight(std::array::from_fn(|lane| if lane < 4 { low[lane] } else { high[lane - 4] }))
+    }
+
+    #[inline(always)]
+    fn flipped_by(self, sign: Self) -> Self {
+        let flipped = |a: f32, b: f32| f32::from_bits(a.to_bits() ^ (b.to_bits() & 1 << 31));
+        Eight(self.zip(sign, flipped))
     }
 
     #[inline(always)]
