@@ -45,6 +45,9 @@ def main():
     compared = wrong = 0
     for name in names:
         stem = os.path.join(ROOT, name)
+        # naive reads the native documents alone
+        if not os.path.exists(stem + ".xml"):
+            continue
         with open(stem + ".xml", "rb") as file:
             text = file.read()
         if any(mark in text for mark in UNREAD):
