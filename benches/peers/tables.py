@@ -6,9 +6,9 @@ PICTURE_NOTES = """\
 What the peers do otherwise, where it matters:
 
 * POV-Ray sums the terms of a point where the subject composes them by ⊕, so the scenes are exported with
-  `compose="add"`. Its transparent objects filter shadows, ours block them. It drops rays that would change a pixel by
-  less than 1/255 (`adc_bailout`), its default; lancer traces every ray. It gets its own boxes for cubes. Of its whole
-  time, some tenths of a second pass before and after the work.
+  `compose="add"`. Its transparent objects filter shadows, ours block them. It is told to trace every ray, as lancer
+  does, also those that would change a pixel by less than 1/255 (`adc_bailout 0`). It gets its own boxes for cubes. Of
+  its whole time, some tenths of a second pass before and after the work.
 * Tachyon has no refraction: light goes straight through glass, which is less work. Coefficients for each channel
   become one colour and one strength, so coloured mirrors and ambient light differ. It gets one triangle at a time,
   because its arrays of vertices have smooth normals.
