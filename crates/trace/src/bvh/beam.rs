@@ -11,7 +11,7 @@
 use super::{Bvh, Entry, MAX_DEPTH, Margin, Node, WIDTH};
 use crate::engine::lanes::{Lanes, Mask, Real, Single};
 use crate::engine::packet::PACKETS;
-use crate::engine::vector::{Vector, lanes};
+use crate::engine::vector::{Vector, lanes, narrow};
 use arrayvec::ArrayVec;
 
 /// 2⁻²² and 1 + 2⁻²⁰, see above.
@@ -408,12 +408,6 @@ impl Interval {
         }
         (near.le(far * L::Single::splat(LONGER)).bits(), near.store())
     }
-}
-
-/// Vectors in f32.
-#[inline(always)]
-fn narrow<L: Lanes>(vector: Vector<L::Real>) -> [L::Single; 3] {
-    [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)]
 }
 
 /// Stands for every quotient.

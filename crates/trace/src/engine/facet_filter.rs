@@ -21,6 +21,7 @@
 //! precision adds is less by 2⁻²⁴ and lost in that.
 
 use super::lanes::{Lanes, Mask, Single};
+use super::vector::dot;
 use crate::bvh::{Block, Shadow};
 
 /// `80u`, and its share of `256u`.
@@ -373,12 +374,6 @@ fn one<L: Lanes>([x, y, z]: &[[f32; 8]; 3], place: usize) -> [L::Single; 3] {
 #[inline(always)]
 fn cross<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> [L::Single; 3] {
     [a[1].mul_sub(b[2], a[2] * b[1]), a[2].mul_sub(b[0], a[0] * b[2]), a[0].mul_sub(b[1], a[1] * b[0])]
-}
-
-/// `a·b`.
-#[inline(always)]
-fn dot<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> L::Single {
-    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
 /// The greatest of the absolute coordinates.

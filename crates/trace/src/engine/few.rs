@@ -7,7 +7,7 @@
 
 use super::lanes::{Lanes, Mask, Single};
 use super::packet::PACKETS;
-use super::vector::Vector;
+use super::vector::{Vector, dot, narrow};
 use crate::world::{FEW, Few};
 use glam::DVec3;
 
@@ -139,16 +139,4 @@ impl Aimed {
             lanes[packet] = !(beside | behind | beyond).bits() & mask;
         }
     }
-}
-
-/// A scalar product.
-#[inline(always)]
-fn dot<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> L::Single {
-    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
-}
-
-/// Vectors in f32.
-#[inline(always)]
-fn narrow<L: Lanes>(vector: Vector<L::Real>) -> [L::Single; 3] {
-    [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)]
 }

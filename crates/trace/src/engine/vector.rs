@@ -1,6 +1,6 @@
 //! Vectors over lanes: every operation is glam's on each lane, in its order, so that the results are its very bits.
 
-use super::lanes::{Mask, Real};
+use super::lanes::{Lanes, Mask, Real, Single};
 use glam::DVec3;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -138,6 +138,18 @@ impl Iterator for LaneNumbers {
         self.0 &= self.0 - 1;
         Some(lane)
     }
+}
+
+/// Vectors in f32.
+#[inline(always)]
+pub(crate) fn narrow<L: Lanes>(vector: Vector<L::Real>) -> [L::Single; 3] {
+    [L::narrow(vector.x), L::narrow(vector.y), L::narrow(vector.z)]
+}
+
+/// The scalar product of vectors in f32.
+#[inline(always)]
+pub(crate) fn dot<L: Lanes>(a: &[L::Single; 3], b: &[L::Single; 3]) -> L::Single {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
 /// Puts a value into some lanes of a list.

@@ -56,27 +56,12 @@ impl Lanes for Avx2 {
 
     #[inline(always)]
     fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
-        // SAFETY: these types exist only where AVX2 is (the module's text).
-        unsafe {
-            let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-            // as integers they are ordered as they are; the lane is part of the number
-            let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys.0)), place);
-            let key = sorted(key);
-            let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
-            let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
-            (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
-        }
+        greatest_first(keys.0, of)
     }
 
     #[inline(always)]
     fn prefetch<T>(memory: &T) {
-        let start = std::ptr::from_ref(memory).cast::<i8>();
-        let mut line = 0;
-        while line < size_of::<T>() {
-            // SAFETY: within the borrowed memory, which is not even read.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
-            line += 64;
-        }
+        prefetch(memory);
     }
 }
 
@@ -430,9 +415,36 @@ static CHOSEN_FIRST: [[u8; 8]; 256] = {
     table
 };
 
+/// [`Lanes::greatest_first`], for AVX-512 too: its vectors of eight f32 are those of AVX2.
+#[inline(always)]
+pub(super) fn greatest_first(keys: __m256, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+    // SAFETY: called by backends whose types exist only where AVX2 is (the module's text).
+    unsafe {
+        let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+        // as integers they are ordered as they are; the lane is part of the number
+        let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys)), place);
+        let key = sorted(key);
+        let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
+        let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
+        (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
+    }
+}
+
+/// [`Lanes::prefetch`] on x86-64.
+#[inline(always)]
+pub(super) fn prefetch<T>(memory: &T) {
+    let start = std::ptr::from_ref(memory).cast::<i8>();
+    let mut line = 0;
+    while line < size_of::<T>() {
+        // SAFETY: within the borrowed memory, which is not even read.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
+        line += 64;
+    }
+}
+
 /// Eight integers, those that are not negative first, and of them the greatest first.
 #[inline(always)]
-pub(super) fn sorted(key: __m256i) -> __m256i {
+fn sorted(key: __m256i) -> __m256i {
     /// Each lane with its partner, which the permutation brings to it; of the two the lanes of `LESS` keep the lesser.
     #[inline(always)]
     fn round<const LESS: i32>(key: __m256i, partner: __m256i) -> __m256i {

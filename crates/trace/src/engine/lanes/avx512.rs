@@ -5,7 +5,7 @@
 //! called only where those features were detected; that is the reason of every unsafe block below.
 #![allow(unsafe_code, reason = "the instructions of AVX-512; see the module's text on why they are there")]
 
-use super::{Lanes, Mask, Real, Single, exponent};
+use super::{Lanes, Mask, Real, Single, avx2, exponent};
 use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -49,27 +49,12 @@ impl Lanes for Avx512 {
 
     #[inline(always)]
     fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
-        // SAFETY: these types exist only where AVX-512 is (the module's text).
-        unsafe {
-            let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-            // as integers they are ordered as they are; the lane is part of the number
-            let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys.0)), place);
-            let key = super::avx2::sorted(key);
-            let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
-            let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
-            (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
-        }
+        avx2::greatest_first(keys.0, of)
     }
 
     #[inline(always)]
     fn prefetch<T>(memory: &T) {
-        let start = std::ptr::from_ref(memory).cast::<i8>();
-        let mut line = 0;
-        while line < size_of::<T>() {
-            // SAFETY: within the borrowed memory, which is not even read.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
-            line += 64;
-        }
+        avx2::prefetch(memory);
     }
 }
 
