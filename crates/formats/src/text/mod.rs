@@ -2,7 +2,7 @@
 //! pouvoir être affichée dans un format texte»).
 //!
 //! Everything is shown in document order, in the subject's terms, with aligned columns that fit 100 characters unless
-//! names or numbers are very long. A colour of three equal numbers is shown as one.
+//! numbers are very long; a very long name stands on a line of its own. A colour of three equal numbers is shown as one.
 
 mod materials;
 mod number;
