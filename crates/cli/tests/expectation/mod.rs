@@ -36,8 +36,10 @@ impl Expectation {
         let (mut expectations, mut problems) = (Vec::new(), Vec::new());
         for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
             let place = format!("{name}:{number}");
-            match claim(line) {
-                _ if line.starts_with('#') => {}
+            match claim(line.trim_start_matches('#')) {
+                // it would look checked and would not be
+                Some(_) if line.starts_with('#') => problems.push(format!("{place}: `{line}` is commented out")),
+                None if line.starts_with('#') => {}
                 Some(claim) => expectations.push(Expectation { place, claim }),
                 None => problems.push(format!("{place}: `{line}` is no expectation; see tests/scenes/README.md")),
             }
