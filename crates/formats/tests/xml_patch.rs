@@ -1,8 +1,10 @@
 //! Saving an edited scene into its document: what changed changes, and everything else stays byte for byte.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
-mod xml_models;
+#[path = "../../scene/tests/arbitrary/mod.rs"]
+mod arbitrary;
 
+use arbitrary::{Extent, scene, views};
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
 use lancer_formats::xml::{Document, Node, patch_scene, patch_views, read_scene, read_views, write_scene, write_views};
 use lancer_scene::{DVec3, MaterialRef, Object, PointLight, Rgb, Scene, Shape, Surface, Views};
@@ -275,16 +277,23 @@ type Edit = (u8, Index, Index);
 
 fn with_edit(scene: &Scene, other: &Scene, (kind, from, to): &Edit) -> Scene {
     let mut next = scene.clone();
-    let materials: Vec<_> = scene.materials.iter().map(|material| (**material).clone()).collect();
+    // an object of the other scene, with materials that this one has
     let foreign = |at: &Index| {
         let mut object = (!other.objects.is_empty()).then(|| (**at.get(&other.objects)).clone())?;
+        let mut place = at.index(5);
+        let mut another = || {
+            place += 1;
+            scene
+                .materials
+                .get(place - 1)
+                .map_or(MaterialRef::Default, |material| MaterialRef::Named(material.name.clone()))
+        };
+        object.material = another();
         if let Shape::Mesh(mesh) = &mut object.shape {
-            Arc::make_mut(&mut mesh.geometry).parts.clear();
+            let parts = &mut Arc::make_mut(&mut mesh.geometry).parts;
+            parts.iter_mut().filter(|part| part.material.name().is_some()).for_each(|part| part.material = another());
         }
-        Some(Arc::new(xml_models::with_materials(
-            Object { material: MaterialRef::Named(at.index(5).to_string().into()), ..object },
-            &materials,
-        )))
+        Some(Arc::new(object))
     };
     match kind % 12 {
         0 => next.name.clone_from(&other.name),
@@ -358,8 +367,8 @@ proptest! {
 
     #[test]
     fn whatever_is_edited_reads_back_and_the_rest_stays(
-        scene in xml_models::scene(),
-        other in xml_models::scene(),
+        scene in scene(Extent::SelfContained),
+        other in scene(Extent::SelfContained),
         choices in prop::collection::vec(any::<u8>(), 1..40),
         edits in prop::collection::vec(any::<Edit>(), 0..6),
     ) {
@@ -396,8 +405,8 @@ proptest! {
 
     #[test]
     fn whatever_is_edited_in_views_reads_back(
-        views in xml_models::views(),
-        other in xml_models::views(),
+        views in views(),
+        other in views(),
         choices in prop::collection::vec(any::<u8>(), 1..40),
         places in prop::collection::vec(any::<Index>(), 0..5),
     ) {

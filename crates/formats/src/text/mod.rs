@@ -23,7 +23,8 @@ const COLUMNS: usize = 100;
 
 /// The whole scene as text; every line ends with a line feed.
 pub fn describe(scene: &Scene, lang: Lang) -> String {
-    let title = if scene.name.is_empty() { words::untitled(lang) } else { clean(&scene.name) };
+    let title = scene.name.trim_matches(' ');
+    let title = if title.is_empty() { words::untitled(lang) } else { clean(title) };
     let counts = words::counts(
         lang,
         count::objects(lang, scene.objects.len()),
