@@ -198,7 +198,7 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
             });
             match number {
                 Ok((value, span)) => triples.extend(triple.push(value, span).map(DVec3::from)),
-                Err(fault) => tell(&mut faults, fault, sink)?,
+                Err(fault) => tell(&mut faults, *fault, sink)?,
             }
         }
         if faults == 0 {
@@ -213,8 +213,8 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
 }
 
 /// Tells of a fault of a list; `None` once there are so many that no more are told.
-fn tell(faults: &mut usize, fault: Box<Diagnostic>, sink: &mut Sink<'_>) -> Option<()> {
-    sink.push(*fault);
+fn tell(faults: &mut usize, fault: Diagnostic, sink: &mut Sink<'_>) -> Option<()> {
+    sink.push(fault);
     *faults += 1;
     (*faults < MOST_FAULTS).then_some(())
 }
@@ -234,7 +234,7 @@ fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d
                 Ok(index) => index,
                 Err(fault) => {
                     let span = fault.span.unwrap_or_default();
-                    tell(&mut illegible, fault, sink)?;
+                    tell(&mut illegible, *fault, sink)?;
                     (0, span)
                 }
             };
