@@ -1,9 +1,15 @@
 //! The published schema, checked by a program that others wrote: xmllint.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stderr, reason = "a test")]
 
+#[path = "../../scene/tests/arbitrary/mod.rs"]
+mod arbitrary;
+
+use arbitrary::{Extent, scene as any_scene, views as any_views};
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
-use lancer_formats::xml::{Document, DocumentKind, read_scene, read_views, schema};
+use lancer_formats::xml::{Document, DocumentKind, read_scene, read_views, schema, write_scene, write_views};
 use lancer_words::Lang;
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -54,6 +60,29 @@ fn xmllint_accepts_every_example() {
         let refused: Vec<&str> = said.lines().filter(|line| !line.ends_with(" validates")).take(20).collect();
         assert!(output.status.success(), "{}", refused.join("\n"));
     }
+}
+
+/// Whatever scene and views there are, what is written of them is valid: one run of the other program for many of them.
+#[test]
+fn xmllint_accepts_whatever_is_written() {
+    let (folder, schema) = written(Lang::English);
+    let mut runner = TestRunner::deterministic();
+    let mut paths = Vec::new();
+    for number in 0..100 {
+        let scene = any_scene(Extent::Whole).new_tree(&mut runner).unwrap().current();
+        let views = any_views().new_tree(&mut runner).unwrap().current();
+        for (name, text) in [("scene", write_scene(&scene)), ("views", write_views(&views))] {
+            paths.push(folder.path().join(format!("{name}{number:02}.xml")));
+            fs::write(&paths[paths.len() - 1], text).unwrap();
+        }
+    }
+    let Some(output) = xmllint(&schema, &paths) else {
+        eprintln!("left out: xmllint is not there");
+        return;
+    };
+    let said = String::from_utf8_lossy(&output.stderr);
+    let refused: Vec<&str> = said.lines().filter(|line| !line.ends_with(" validates")).take(20).collect();
+    assert!(output.status.success(), "{}", refused.join("\n"));
 }
 
 /// Attributes of an element, legal ones and illegal ones by twos.
@@ -117,9 +146,15 @@ const VALUES: &[(&str, &[&str], &[&str])] = &[
     ),
     (
         "<mesh><vertices>0 0 0 1 0 0 0 1 0</vertices><facets>0 1 2</facets><part @/></mesh>",
-        &["facets='0,1'", "facets='0 1' material='a'"],
+        &["facets='0,1'", "facets='0 1' material='a'", "facets='+0.0 1e0'"],
         &["facets='0 0'", "facets='-1 1'", "facets='0'", ""],
     ),
+    (
+        "<mesh @><vertices>0 0 0 1 0 0 0 1 0</vertices><facets>0, 1.0 +2  0 1 2e0</facets></mesh>",
+        &[""],
+        &["src='a.obj'", "visible='\u{A0}true'"],
+    ),
+    ("<mesh><vertices>0 0 0 1 0 0 0 1 0</vertices><facets>@</facets></mesh>", &["", "0 1 2"], &["0 1 -2", "0 1 x"]),
 ];
 
 /// A document of one element in a scene that has a material `a`.

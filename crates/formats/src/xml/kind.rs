@@ -1,6 +1,7 @@
 //! The types of the vocabulary: how a value of each is read from a document and how it is written into one.
 
 use super::number::MOST_FAULTS;
+use super::reference::is_blank;
 use super::vocabulary::{Kind, STEPS, VERSION};
 use super::{Due, Excerpt, Guess, StructureProblem, ValueProblem, Written, shortest};
 use crate::{Diagnostic, Span};
@@ -67,7 +68,7 @@ impl Kind {
                 let corner = |from: usize| std::array::from_fn(|axis| numbers[from + axis].value);
                 Ok(Value::Corners(Box::new([corner(0), corner(3), corner(6), corner(9)])))
             }
-            Kind::Choice(legal) => word(legal, written.text.trim(), written.span).map(Value::Word),
+            Kind::Choice(legal) => word(legal, trimmed(&written.text), written.span).map(Value::Word),
             Kind::Steps => steps(written),
             Kind::Run => run(written),
         }
@@ -128,8 +129,13 @@ fn in_range(field: &'static str, min: f64, max: f64) -> impl Fn(f64) -> Option<I
     move |value| (!(min..=max).contains(&value)).then_some(Invalid::OutOfRange { field, value, min, max })
 }
 
+/// A text without XML's white space around it; other blanks separate no values either.
+fn trimmed(text: &str) -> &str {
+    text.trim_matches(|character| u8::try_from(character).is_ok_and(is_blank))
+}
+
 fn version<'d>(written: &Written<'d>) -> Read<'d> {
-    match written.text.trim() {
+    match trimmed(&written.text) {
         VERSION => Ok(Value::Integer(1)),
         other => fault(written.span, StructureProblem::BadVersion { found: Excerpt::new(other) }),
     }
@@ -160,7 +166,7 @@ fn name<'d>(written: &Written<'d>) -> Read<'d> {
 }
 
 fn color<'d>(field: &'static str, written: &Written<'d>) -> Read<'d> {
-    let text = written.text.trim();
+    let text = trimmed(&written.text);
     if let Some(digits) = text.strip_prefix('#') {
         let byte = |at: usize| u8::from_str_radix(digits.get(at..at + 2)?, 16).ok();
         let six = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());

@@ -136,7 +136,7 @@ impl Writer {
     fn content(&mut self, rule: &'static ElementRule, shared: bool) {
         match rule.text {
             TextRule::Coordinates => return self.pattern(r"[0-9eE+\-.,\s]*"),
-            TextRule::Indices => return self.pattern(r"[0-9,\s]*"),
+            TextRule::Indices => return self.pattern(r"[0-9+.eE,\s]*"),
             TextRule::Nothing => {}
         }
         if rule.name == SCREEN.name {

@@ -45,7 +45,10 @@ impl Writer {
             Kind::Size => self.pattern(&blanks(&in_a_row(&format!("({POSITIVE})"), 2))),
             Kind::Corners => self.pattern(&blanks(&in_a_row(NUMBER, 12))),
             // none of no facets
-            Kind::Run => self.pattern(&blanks(&format!(r"\+?[0-9]+(\.0+)?{BETWEEN}\+?0*[1-9][0-9]*(\.0+)?"))),
+            Kind::Run => {
+                let exact = r"(\.[0-9]+)?([eE]\+?[0-9]+)?";
+                self.pattern(&blanks(&format!(r"\+?[0-9]+{exact}{BETWEEN}\+?0*[1-9][0-9]*{exact}")));
+            }
             Kind::Choice(words) => self.pattern(&blanks(&words.join("|"))),
             Kind::Steps => {
                 let word = STEPS.join("|");
