@@ -147,7 +147,7 @@ const VALUES: &[(&str, &[&str], &[&str])] = &[
     (
         "<mesh><vertices>0 0 0 1 0 0 0 1 0</vertices><facets>0 1 2</facets><part @/></mesh>",
         &["facets='0,1'", "facets='0 1' material='a'", "facets='+0.0 1e0'"],
-        &["facets='0 0'", "facets='-1 1'", "facets='0'", ""],
+        &["facets='0 0'", "facets='-1 1'", "facets='-0 1'", "facets='0'", ""],
     ),
     (
         "<mesh @><vertices>0 0 0 1 0 0 0 1 0</vertices><facets>0, 1.0 +2  0 1 2e0</facets></mesh>",

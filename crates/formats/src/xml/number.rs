@@ -212,7 +212,8 @@ impl Numbers<'_> {
         }
         let found = Excerpt::new(token);
         let problem = match parse(token) {
-            Some(value) if value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u32::MAX) => {
+            // a sign has no business here, not even that of -0
+            Some(value) if value.fract() == 0.0 && value <= f64::from(u32::MAX) && !token.contains('-') => {
                 return Some(Ok((value as u32, self.written.place(start, end))));
             }
             Some(_) => ValueProblem::NotWhole { found },
@@ -397,7 +398,7 @@ mod tests {
         let mut numbers = list.numbers();
         let indices: Vec<u32> = std::iter::from_fn(|| numbers.next_index()).map(|index| index.unwrap().0).collect();
         assert_eq!(indices, [0, 7, u32::MAX, 3, 1000]);
-        for text in ["-1", "1.5", "4294967296", "x"] {
+        for text in ["-1", "-0", "1.5", "4294967296", "x"] {
             assert!(written(text).numbers().next_index().unwrap().is_err(), "{text}");
         }
     }
