@@ -2,7 +2,7 @@
 //! where what hides the lamp from a surface of small facets under grazing light mostly is.
 
 use super::dispatch::{Backend, Step};
-use super::facet_filter::Looking;
+use super::facet_filter::{FEW_RAYS, Looking};
 use super::facets_blocking::TryNow;
 use super::facets_nearest::{shadow, start};
 use super::hidden_surfaces::UPWARDS;
@@ -10,7 +10,7 @@ use super::lanes::{Lanes, Mask, Single};
 use super::packet::{PACKETS, PerPacket};
 use super::shadows::{Segments, ToLamp};
 use super::vector::lanes;
-use crate::bvh::{Follow, NO_FACET, Shadow};
+use crate::bvh::{self, Follow, NO_FACET, Shadow};
 use crate::world::Facets;
 
 /// Tries a set of facets with the rays of some packets that are not blocked yet, each packet by itself.
@@ -65,9 +65,6 @@ struct Leaves<'v, L: Lanes> {
     asking: [Asking; PACKETS],
 }
 
-/// So many rays of a packet are better off with eight facets at a time than a facet with all of them.
-const SINGLE: u32 = 3;
-
 impl<L: Backend> Follow<L> for Leaves<'_, L> {
     #[inline(always)]
     fn limits(&self, packet: usize) -> [f32; 8] {
@@ -78,7 +75,7 @@ impl<L: Backend> Follow<L> for Leaves<'_, L> {
     fn leaf(&mut self, packet: usize, rays: u8, (first, count): (u32, u32), limits: &mut [f32; 8]) {
         for blocks in self.facets.blocks()[first as usize..(first + count) as usize].chunks(2) {
             let open = rays & !self.blocked[packet];
-            if open.count_ones() <= SINGLE {
+            if open.count_ones() <= FEW_RAYS {
                 for lane in lanes(open) {
                     self.one(packet, lane, blocks);
                 }
@@ -111,7 +108,7 @@ const LESS: f32 = 1.0 - 1.0 / 524_288.0;
 impl<L: Backend> Leaves<'_, L> {
     /// One ray and the facets of one or two blocks.
     #[inline(always)]
-    fn one(&mut self, packet: usize, lane: usize, blocks: &[crate::bvh::Block]) {
+    fn one(&mut self, packet: usize, lane: usize, blocks: &[bvh::Block]) {
         let Asking { looking, limits } = &self.asking[packet];
         let limit = limits[lane];
         let sighted = looking.at_facets::<L>(lane, blocks, limit);
@@ -135,7 +132,7 @@ impl<L: Backend> Leaves<'_, L> {
 
     /// Some rays of a packet and one facet.
     #[inline(always)]
-    fn all(&mut self, packet: usize, rays: u8, (block, facet): (&crate::bvh::Block, usize)) {
+    fn all(&mut self, packet: usize, rays: u8, (block, facet): (&bvh::Block, usize)) {
         let Asking { looking, limits } = &self.asking[packet];
         let limit = L::Single::load(limits);
         let sighted = looking.at_facet::<L>(rays, block, facet, limit);

@@ -38,6 +38,9 @@ const LEAST: f32 = 16.0 * f32::MIN_POSITIVE;
 const LESS: f32 = 1.0 - 1.0 / 2_097_152.0;
 const MORE: f32 = 1.0 + 1.0 / 2_097_152.0;
 
+/// So many rays of a packet had better try eight facets at a time than all together one facet.
+pub(super) const FEW_RAYS: u32 = 3;
+
 /// What a ray may meet of eight facets, or eight rays of one.
 pub(super) struct Sighted<L: Lanes> {
     /// Those that may meet, and those of them that surely do.

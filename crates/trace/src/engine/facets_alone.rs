@@ -6,7 +6,7 @@
 //! without an exact test. Most rays so have one facet left at the end.
 
 use super::dispatch::{Backend, Step};
-use super::facet_filter::Looking;
+use super::facet_filter::{FEW_RAYS, Looking};
 use super::facets_nearest::not_started_on;
 use super::hidden_surfaces::UPWARDS;
 use super::intersect::facet_each;
@@ -14,7 +14,7 @@ use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
 use super::vector::{Vector, lanes, put_value};
 use crate::Ray;
-use crate::bvh::{Follow, NO_FACET, Shadow};
+use crate::bvh::{self, Follow, NO_FACET, Shadow};
 use crate::reference::intersect::intersect_facet;
 use crate::world::Facets;
 
@@ -93,9 +93,6 @@ struct Leaves<'v, L: Lanes> {
     found: [Found; PACKETS],
 }
 
-/// So many rays of a packet are better off with eight facets at a time than a facet with all of them.
-const SINGLE: u32 = 3;
-
 impl<L: Backend> Follow<L> for Leaves<'_, L> {
     #[inline(always)]
     fn limits(&self, packet: usize) -> [f32; 8] {
@@ -105,7 +102,7 @@ impl<L: Backend> Follow<L> for Leaves<'_, L> {
     #[inline(always)]
     fn leaf(&mut self, packet: usize, rays: u8, (first, count): (u32, u32), limits: &mut [f32; 8]) {
         for blocks in self.facets.blocks()[first as usize..(first + count) as usize].chunks(2) {
-            if rays.count_ones() <= SINGLE {
+            if rays.count_ones() <= FEW_RAYS {
                 for lane in lanes(rays) {
                     self.one(packet, lane, blocks, &mut limits[lane]);
                 }
@@ -132,7 +129,7 @@ impl<L: Backend> Follow<L> for Leaves<'_, L> {
 impl<L: Backend> Leaves<'_, L> {
     /// One ray and the facets of one or two blocks.
     #[inline(always)]
-    fn one(&mut self, packet: usize, lane: usize, blocks: &[crate::bvh::Block], limit: &mut f32) {
+    fn one(&mut self, packet: usize, lane: usize, blocks: &[bvh::Block], limit: &mut f32) {
         let found = &mut self.found[packet];
         let sighted = found.looking.at_facets::<L>(lane, blocks, *limit);
         if sighted.may == 0 {
@@ -158,7 +155,7 @@ impl<L: Backend> Leaves<'_, L> {
 
     /// Some rays of a packet and one facet: keeps what is surely nearer than all before, and tries what nobody knows.
     #[inline(always)]
-    fn all(&mut self, packet: usize, rays: u8, (block, facet): (&crate::bvh::Block, usize), limits: &mut [f32; 8]) {
+    fn all(&mut self, packet: usize, rays: u8, (block, facet): (&bvh::Block, usize), limits: &mut [f32; 8]) {
         let found = &mut self.found[packet];
         let limit = L::Single::load(limits);
         let sighted = found.looking.at_facet::<L>(rays, block, facet, limit);
