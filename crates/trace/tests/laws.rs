@@ -55,7 +55,7 @@ fn depth_64_does_not_overflow_the_stack() {
         let seen = Tracer::new(&world, &camera, settings, &cancel).pixel(0, 0, &mut counts);
         (seen, counts)
     };
-    let (seen, counts) = std::thread::Builder::new().stack_size(512 << 10).spawn(deep).unwrap().join().unwrap();
+    let (seen, counts) = std::thread::Builder::new().stack_size(256 << 10).spawn(deep).unwrap().join().unwrap();
     assert!(seen.unwrap().is_finite());
     assert_eq!(counts.reflected, 64, "one mirrored ray a level, the refracted ones leave: {counts:?}");
 }
