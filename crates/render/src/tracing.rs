@@ -100,8 +100,9 @@ impl<W: Borrow<World> + Clone> PixelTracer<W> {
             Tracing::Engine(simd) => {
                 let enough = STAGES.iter().position(|(_, rays)| *rays >= settings.max_rays).unwrap_or(STAGES.len() - 1);
                 let engine = Engine::new(world, camera, settings, cancel, simd);
-                let stage = |&(together, rays): &(usize, u64)| {
-                    Stage { together, engine: engine.clone().with_budget(settings.max_rays.min(rays)) }
+                let stage = |&(together, rays): &(usize, u64)| Stage {
+                    together,
+                    engine: engine.clone().with_budget(settings.max_rays.min(rays)),
                 };
                 Kind::Engine(STAGES[..=enough].iter().map(stage).collect())
             }

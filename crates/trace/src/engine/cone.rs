@@ -7,8 +7,9 @@ use super::lanes::{Lanes, Mask, Real};
 use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
 use super::shadows::ToLamp;
 use super::vector::{Vector, mask};
-use crate::reference::intersect::{Cone, ConeFace};
+use crate::reference::intersect::Cone;
 use glam::DVec3;
+use lancer_scene::ConeFace;
 
 const SIDE: usize = ConeFace::Side.number() as usize;
 const BASE: usize = ConeFace::Base.number() as usize;

@@ -4,8 +4,6 @@
 //! its colour stands beside the reference's: the explanation says itself whether it tells the picture's story.
 
 mod json;
-mod number;
-mod path;
 mod table;
 mod text;
 
