@@ -13,7 +13,7 @@ use lancer_scene::{Invalid, Name, View};
 use lancer_trace::Simd;
 use lancer_words::Lang;
 use lancer_words::cli::{self as words, usage};
-use lancer_words::{engine, export};
+use lancer_words::{engine, export, number};
 use std::path::PathBuf;
 
 /// Why the program ends early.
@@ -244,7 +244,8 @@ impl Failure {
                 words::same_output(lang, first, second, path.display())
             }
             Failure::Pixel { view, x, y, fault: PixelFault::Budget { limit } } => {
-                words::budget(lang, view, x, y, limit)
+                let rays = number::rays(lang, usize::try_from(*limit).unwrap_or(usize::MAX));
+                words::budget(lang, view, x, y, rays)
             }
             Failure::Pixel { view, x, y, fault: PixelFault::NotFinite } => words::not_finite(lang, view, x, y),
             Failure::Memory { width, height } => words::no_memory(lang, width, height),

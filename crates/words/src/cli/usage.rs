@@ -50,6 +50,11 @@ width and height are at least 1",
     }
     /// One that looks alike.
     similar(word) { "did you mean '{word}'?", "vouliez-vous dire « {word} » ?" }
+    /// A mistyped command.
+    meant_command(command) {
+        "did you mean the command `{command}`? What stands there is taken for the name of a scene",
+        "vouliez-vous la commande « {command} » ? Ce mot est pris pour le nom d'une scène",
+    }
     /// A value that is no legal one.
     invalid_value(value, argument) {
         "invalid value '{value}' for '{argument}'",
