@@ -37,7 +37,7 @@ pub(crate) struct Context {
     pub(crate) console: Console,
     /// Raised when the program is asked to stop.
     pub(crate) cancel: Cancel,
-    /// Raised while a temporary file exists.
+    /// Held while a temporary file exists.
     pub(crate) writing: Writing,
 }
 
