@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 /// How long the program may take to end by itself: together with the signal's way, and with the time that the system
 /// takes to clear some hundreds of megabytes away, less than 100 ms.
-const GRACE: Duration = Duration::from_millis(40);
+const GRACE: Duration = Duration::from_millis(20);
 
 /// How long it may take while a file is being written, so that nothing half-written stays behind.
 const GRACE_WHILE_WRITING: Duration = Duration::from_secs(2);

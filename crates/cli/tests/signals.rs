@@ -39,7 +39,7 @@ fn ctrl_c_and_termination_stop_within_100_ms_and_leave_nothing() {
         let status = child.wait().unwrap();
         let waited = asked.elapsed();
         assert_eq!(status.code(), Some(130), "{name}");
-        // the grace of the program is 40 ms; the rest is for a busy machine
+        // the grace of the program is 20 ms; the rest is for a busy machine
         assert!(waited < Duration::from_millis(200), "{name}: {waited:?}");
         assert_eq!(listing(folder.path()), before, "{name}");
         let mut said = String::new();
