@@ -143,3 +143,26 @@ fn ways_obey_snells_law() {
     let first: Vec<String> = tree.nodes[0].children.iter().map(|&ray| names.of(ray)).collect();
     assert_eq!(first, ["R1[rg]", "T1[r]", "T1[g]", "T1[b]"]);
 }
+
+/// A highlight that faces away: `R_L·V` is less than 0 there, so it is not what `cos s` is.
+#[test]
+fn a_cosine_of_zero_is_told_as_a_maximum() {
+    let mut scene = scene(vec![plane("floor", DVec3::ZERO, DVec3::Y, Surface::default())], Environment::default());
+    // the viewer stands at 60° from the normal, one lamp beside it, at 50°
+    let at = |degrees: f64| DVec3::new(degrees.to_radians().sin(), degrees.to_radians().cos(), 0.0) * 4.0;
+    let told = |scene: &lancer_scene::Scene| -> Vec<&'static str> {
+        let pixel = open(scene, &pixel(at(60.0), DVec3::ZERO));
+        let tree = &pixel.samples[0].tree;
+        let Seen::Surface(surface) = &tree.nodes[0].seen else { panic!("the floor is seen") };
+        let entries = account(tree, &tree.nodes[0], surface, Compose::Screen);
+        entries
+            .iter()
+            .filter_map(|entry| if let Entry::Lamp { cos_s, .. } = entry { Some(*cos_s) } else { None })
+            .collect()
+    };
+    scene.lights = [("beside the eye", 50.0), ("opposite", -50.0)]
+        .into_iter()
+        .map(|(name, degrees)| PointLight::new(name, at(degrees)))
+        .collect::<List<PointLight>>();
+    assert_eq!(told(&scene), ["max(0, R_L·V)", "R_L·V"]);
+}

@@ -24,7 +24,7 @@ pub enum Entry<'a> {
     Lamp {
         /// Whether it lights the point, or why it does not.
         light: &'a LampLight,
-        /// What `cos s` is: `R_L·V` or `N·H`.
+        /// What `cos s` is: `R_L·V` or `N·H`, and `max(0, …)` of it where that makes it 0.
         cos_s: &'static str,
     },
     /// A factor or a product, and how it goes together with what stands before it.
@@ -231,9 +231,12 @@ impl<'a> Book<'a, '_> {
 
     fn lamp(&mut self, part: Part<'a>, color: Color, light: &'a LampLight, so_far: Color) {
         self.entries.push(Entry::Begin(part));
-        let cos_s = match self.surface.surface.highlight {
-            Highlight::Phong => "R_L·V",
-            Highlight::Blinn => "N·H",
+        let shines = matches!(light, LampLight::Lit(lit) if lit.cos_s > 0.0);
+        let cos_s = match (self.surface.surface.highlight, shines) {
+            (Highlight::Phong, true) => "R_L·V",
+            (Highlight::Phong, false) => "max(0, R_L·V)",
+            (Highlight::Blinn, true) => "N·H",
+            (Highlight::Blinn, false) => "max(0, N·H)",
         };
         self.entries.push(Entry::Lamp { light, cos_s });
         match light {
