@@ -58,6 +58,22 @@ fn a_mistyped_command_is_recognised() {
     assert_eq!(run(folder.path(), &["shwo", "view.xml", "-", "--size", "1x1", "--quiet"]).0, 0);
 }
 
+/// Standard input has one end.
+#[test]
+fn two_files_cannot_both_be_standard_input() {
+    let due = "error: `-` is standard input, which can be read only once: name a file for one of the two\n";
+    for args in [&["-", "-"][..], &["explain", "-", "-", "1", "1"], &["diff", "-", "-"]] {
+        assert_eq!(failure(args), told(2, due), "{args:?}");
+    }
+}
+
+/// A number below 0 is a wrong value, no unknown option.
+#[test]
+fn a_negative_column_is_a_wrong_value() {
+    let (code, said) = failure(&["explain", "scene.xml", "view.xml", "-1", "5"]);
+    assert!(code == 2 && said.starts_with("error: invalid value '-1' for '<X>': a whole number from 0 to"), "{said}");
+}
+
 /// One ray is one ray.
 #[test]
 fn a_budget_of_one_ray_is_told_in_the_singular() {

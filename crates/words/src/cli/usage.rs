@@ -32,6 +32,11 @@ width and height are at least 1",
         "--all-views writes several pictures; they cannot all go to standard output",
         "--all-views écrit plusieurs images ; elles ne peuvent pas toutes aller sur la sortie standard",
     }
+    /// `-` and `-`.
+    stdin_twice() {
+        "`-` is standard input, which can be read only once: name a file for one of the two",
+        "« - » est l'entrée standard, qui ne se lit qu'une fois : nommez un fichier pour l'une des deux",
+    }
 
     // ---- clap's own complaints, for those who read French ---------------------------------------------------------
 

@@ -32,6 +32,7 @@ pub(crate) fn command(lang: Lang) -> Command {
     let place = |id: &'static str, name: &'static str, text: String| {
         flags::positional(id, lang, name.to_owned(), text)
             .required(true)
+            .allow_negative_numbers(true)
             .value_parser(move |text: &str| flags::whole_number(lang, text, 0, u64::from(limits::PIXELS - 1)))
     };
     Command::new("explain")
