@@ -7,7 +7,8 @@ use super::lanes::{Lanes, Mask, Real};
 use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
 use super::shadows::{Segments, ToLamp};
 use super::vector::{Vector, mask};
-use crate::reference::intersect::{Cone, ConeFace};
+use crate::reference::intersect::Cone;
+use lancer_scene::ConeFace;
 
 const SIDE: usize = ConeFace::Side.number() as usize;
 const BASE: usize = ConeFace::Base.number() as usize;
