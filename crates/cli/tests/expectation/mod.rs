@@ -36,16 +36,21 @@ impl Expectation {
         let (mut expectations, mut problems) = (Vec::new(), Vec::new());
         for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
             let place = format!("{name}:{number}");
-            match claim(line.trim_start_matches('#')) {
-                // it would look checked and would not be
-                Some(_) if line.starts_with('#') => problems.push(format!("{place}: `{line}` is commented out")),
-                None if line.starts_with('#') => {}
+            match claim(line) {
+                _ if line.starts_with('#') => {
+                    if claim(line.trim_start_matches('#')).is_some() {
+                        problems.push(format!("{place}: `{line}` claims nothing while it is a comment"));
+                    }
+                }
                 Some(claim) => expectations.push(Expectation { place, claim }),
                 None => problems.push(format!("{place}: `{line}` is no expectation; see tests/scenes/README.md")),
             }
         }
         if !text.lines().any(|line| line.starts_with('#')) {
             problems.push(format!("{name}: no line says where the numbers come from"));
+        }
+        if expectations.is_empty() {
+            problems.push(format!("{name}: no line says what must hold"));
         }
         if problems.is_empty() { Ok(expectations) } else { Err(problems) }
     }
