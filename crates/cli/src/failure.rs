@@ -38,6 +38,11 @@ pub(crate) enum Failure {
     },
     /// The extension of an output means no format.
     UnknownExtension(UnknownExtension),
+    /// `--binary`, and an output of a format that has no such form.
+    BinaryOfAnother {
+        /// The output.
+        path: PathBuf,
+    },
     /// Several pictures cannot go to standard output.
     AllViewsToStdout,
     /// Two files cannot both come from standard input.
@@ -188,6 +193,7 @@ impl Failure {
             Failure::Interrupted => Exit::Interrupted,
             Failure::Simd(_)
             | Failure::UnknownExtension(_)
+            | Failure::BinaryOfAnother { .. }
             | Failure::AllViewsToStdout
             | Failure::StdinTwice
             | Failure::ObjToStdout
@@ -224,6 +230,7 @@ impl Failure {
             Failure::Simd(SimdError::Missing { simd }) => engine::missing_simd(lang, Tracing::VARIABLE, simd.name()),
             Failure::AdaptiveOfOne { view } => words::adaptive_of_one(lang, view),
             Failure::UnknownExtension(error) => error.message(lang),
+            Failure::BinaryOfAnother { path } => usage::binary_of_another(lang, path.display()),
             Failure::AllViewsToStdout => usage::all_views_to_stdout(lang),
             Failure::StdinTwice => usage::stdin_twice(lang),
             Failure::NeedsRendering { path } => words::convert_needs_rendering(lang, path.display()),
@@ -277,6 +284,7 @@ impl Failure {
             }
             Failure::AdaptiveOfOne { .. } => Some(words::adaptive_of_one_help(lang)),
             Failure::ViewInvalid { rule, .. } => XmlProblem::Rule(rule.clone()).help(lang),
+            Failure::BinaryOfAnother { .. } => Some(usage::binary_of_another_help(lang)),
             Failure::NeedsRendering { .. } => Some(words::convert_needs_rendering_help(lang)),
             Failure::UnknownForm { .. } => Some(words::convert_unknown_help(lang)),
             Failure::NeedsViews { beside, .. } => Some(export::needs_views_help(lang, beside.display())),

@@ -4,6 +4,7 @@
 use crate::Failure;
 use clap::{Arg, ArgAction, ArgMatches, value_parser};
 use lancer_formats::load::LoadOptions;
+use lancer_formats::picture::Format;
 use lancer_render::{Region, Tracing};
 use lancer_scene::{Steps, View, limits};
 use lancer_trace::Simd;
@@ -103,6 +104,23 @@ pub(crate) fn engine(lang: Lang) -> Arg {
         .value_name(help::name_value(lang))
         .value_parser(["simd", "reference"])
         .hide_possible_values(true)
+}
+
+/// The picture's form for those who do not want it as text.
+pub(crate) fn binary(lang: Lang) -> Arg {
+    switch("binary", lang, help::binary_help(lang))
+}
+
+/// The format of a picture: that of its name, in the form that [`binary`] asks for.
+///
+/// # Errors
+/// The name means no picture, or one that has no such form.
+pub(crate) fn picture_format(matches: &ArgMatches, output: &Path) -> Result<Format, Failure> {
+    let is_binary = matches.get_flag("binary");
+    match Format::of_path(output, is_binary).map_err(Failure::UnknownExtension)? {
+        format if is_binary && format != Format::RawPpm => Err(Failure::BinaryOfAnother { path: output.to_owned() }),
+        format => Ok(format),
+    }
 }
 
 /// What follows the rays.

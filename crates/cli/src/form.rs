@@ -31,7 +31,7 @@ pub(crate) enum Form {
 pub(crate) struct Written {
     bytes: Vec<u8>,
     losses: Vec<Diagnostic>,
-    beside: Option<(PathBuf, Vec<u8>)>,
+    beside: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Form {
@@ -72,7 +72,7 @@ impl Form {
                 let mut bytes = Vec::new();
                 export::write_povray(scene, &view, &mut bytes)
                     .map_err(|error| Failure::cannot_write(output, &error))?;
-                Written { bytes, losses: told(export::povray_losses(scene, &view)), beside: None }
+                Written { bytes, losses: told(export::povray_losses(scene, &view)), beside: Vec::new() }
             }
             Form::Obj if target::is_standard(output) => return Err(Failure::ObjToStdout),
             Form::Obj => {
@@ -80,12 +80,12 @@ impl Form {
                 let name = library.file_name().unwrap_or_default().to_string_lossy();
                 let files = export::write_obj(scene, &name);
                 let losses = told(export::obj_losses(scene));
-                let beside = Some((library, files.materials.into_bytes()));
+                let beside = vec![(library, files.materials.into_bytes())];
                 Written { bytes: files.objects.into_bytes(), losses, beside }
             }
             Form::Gltf(container) => {
                 let bytes = export::write_gltf(scene, container);
-                Written { bytes, losses: told(export::gltf_losses(scene)), beside: None }
+                Written { bytes, losses: told(export::gltf_losses(scene)), beside: Vec::new() }
             }
         })
     }
@@ -98,25 +98,30 @@ fn told(losses: Vec<Loss>) -> Vec<Diagnostic> {
 impl Written {
     /// A document that lost nothing.
     pub(crate) fn whole(bytes: Vec<u8>) -> Written {
-        Written { bytes, losses: Vec::new(), beside: None }
+        Written { bytes, losses: Vec::new(), beside: Vec::new() }
     }
 
     /// A document of 2009 and what it cannot hold.
     pub(crate) fn of_2009((text, losses): (String, Vec<n7_2009::Loss>)) -> Written {
         let warning = |loss| Diagnostic::warning(None, N7Problem::Loss(loss));
-        Written { bytes: text.into_bytes(), losses: losses.into_iter().map(warning).collect(), beside: None }
+        Written { bytes: text.into_bytes(), losses: losses.into_iter().map(warning).collect(), beside: Vec::new() }
     }
 
-    /// Tells what is lost, and writes the file or the two.
+    /// The same with one more file that belongs to it.
+    pub(crate) fn and(mut self, path: &Path, bytes: Vec<u8>) -> Written {
+        self.beside.push((path.to_owned(), bytes));
+        self
+    }
+
+    /// Tells what is lost, and writes the file and those beside it: all of them or, where one cannot be written, none.
     ///
     /// # Errors
     /// A file that cannot be written, or the wish to stop.
     pub(crate) fn save(self, output: &Path, context: &Context) -> Result<(), Failure> {
         let source = Source { name: output.display().to_string().into(), text: "".into() };
         documents::tell(&source, &self.losses, &context.console);
-        if let Some((path, bytes)) = &self.beside {
-            target::write_document(path, context, bytes)?;
-        }
-        target::write_document(output, context, &self.bytes)
+        let beside = self.beside.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice()));
+        let files: Vec<_> = beside.chain([(output, self.bytes.as_slice())]).collect();
+        target::write_documents(&files, context)
     }
 }

@@ -68,31 +68,36 @@ pub(crate) fn write(
     context: &Context,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    unless_stopped(path, context, || {
+    unless_stopped([path], context, || {
         save::save_output(path, |out| write(&mut Heeding { out, cancel: &context.cancel }))
     })
 }
 
-/// Writes somebody's document: it is on the disk before what it replaces is gone.
+/// Writes somebody's document, and the files that belong to it: they are on the disk before what any of them replaces is
+/// gone.
 ///
 /// # Errors
 /// Those of [`write`].
-pub(crate) fn write_document(path: &Path, context: &Context, bytes: &[u8]) -> Result<(), Failure> {
-    unless_stopped(path, context, || save::save(path, |out| Heeding { out, cancel: &context.cancel }.write_all(bytes)))
+pub(crate) fn write_documents(files: &[(&Path, &[u8])], context: &Context) -> Result<(), Failure> {
+    let writes = files.iter().map(|&(path, bytes)| {
+        (path, move |out: &mut dyn Write| Heeding { out, cancel: &context.cancel }.write_all(bytes))
+    });
+    unless_stopped(files.iter().map(|(path, _)| *path), context, || save::save_together(writes))
 }
 
-fn unless_stopped(
-    path: &Path,
+fn unless_stopped<'a>(
+    paths: impl IntoIterator<Item = &'a Path>,
     context: &Context,
     save: impl FnOnce() -> Result<(), save::SaveError>,
 ) -> Result<(), Failure> {
     // devices, pipes and standard output are written directly: there nothing is left behind
-    let directly = is_standard(path) || path.metadata().is_ok_and(|found| !found.is_file());
+    let is_direct = |path: &Path| is_standard(path) || path.metadata().is_ok_and(|found| !found.is_file());
+    let directly = paths.into_iter().all(is_direct);
     let saved = if directly { save() } else { context.writing.guard(save) };
     match saved {
         Ok(()) => Ok(()),
         Err(_) if context.cancel.is_cancelled() => Err(Failure::Interrupted),
-        Err(error) if error.cause == save::SaveCause::Closed && is_standard(path) => Ok(()),
+        Err(error) if error.cause == save::SaveCause::Closed && is_standard(&error.path) => Ok(()),
         Err(error) => Err(Failure::Save(error)),
     }
 }

@@ -250,6 +250,18 @@ fn wrong_use_of_the_command_line() {
                 .to_owned(),
         ),
         (
+            &["scene.xml", "view.xml", "picture.png", "--binary"],
+            "error: --binary writes a .ppm file in its binary form, P6, and `picture.png` is none\n  help: leave it \
+             out, or name a .ppm file; a binary scene has the extension .lancer, or --to binary makes it one\n"
+                .to_owned(),
+        ),
+        (
+            &["convert", "scene.xml", "again.xml", "--binary"],
+            "error: --binary writes a .ppm file in its binary form, P6, and `again.xml` is none\n  help: leave it \
+             out, or name a .ppm file; a binary scene has the extension .lancer, or --to binary makes it one\n"
+                .to_owned(),
+        ),
+        (
             &["scene.xml", "view.xml", "-", "--all-views"],
             "error: --all-views writes several pictures; they cannot all go to standard output\n".to_owned(),
         ),

@@ -67,6 +67,44 @@ fn whatever_is_written_replaces_the_old_file_whole_or_not_at_all() {
     }
 }
 
+/// An OBJ file and its materials, a generated scene and its view: one of them new beside the other old would be wrong.
+#[test]
+fn of_two_files_neither_is_replaced_where_one_cannot_be() {
+    for (args, names) in [
+        (&["convert", "scene.xml", "out.obj"][..], ["out.obj", "out.mtl"]),
+        (&["generate", "lattice", "out.xml"], ["out.xml", "out.view.xml"]),
+    ] {
+        let folder = folder();
+        let paths = names.map(|name| folder.path().join(name));
+        let (code, _, said) = outcome(&mut lancer(folder.path(), args));
+        assert_eq!(code, 0, "{args:?}: {said}");
+        let mut sizes = paths.each_ref().map(|path| usize::try_from(fs::metadata(path).unwrap().len()).unwrap());
+        sizes.sort_unstable();
+        assert!(sizes[0] < sizes[1], "{args:?}: {sizes:?}");
+        paths.iter().for_each(|path| fs::write(path, OLD).unwrap());
+        let before = listing(folder.path());
+        // the smaller one fits, the larger one does not
+        let Some((code, said)) = limited(sizes[0], folder.path(), args) else {
+            eprintln!("left out: prlimit is not there");
+            return;
+        };
+        assert_eq!(code, 3, "{args:?}: {said}");
+        assert!(paths.iter().all(|path| fs::read_to_string(path).unwrap() == OLD), "{args:?}");
+        assert_eq!(listing(folder.path()), before, "{args:?}");
+        for (bad, other) in [(0, 1), (1, 0)] {
+            fs::remove_file(&paths[bad]).unwrap();
+            fs::create_dir(&paths[bad]).unwrap();
+            let (code, _, said) = outcome(&mut lancer(folder.path(), args));
+            let message = format!("error: `{}` cannot be written: it is a folder\n", names[bad]);
+            assert!(code == 3 && said.contains(&message), "{args:?}: {said}");
+            assert_eq!(fs::read_to_string(&paths[other]).unwrap(), OLD, "{args:?}");
+            assert_eq!(listing(folder.path()), before, "{args:?}");
+            fs::remove_dir(&paths[bad]).unwrap();
+            fs::write(&paths[bad], OLD).unwrap();
+        }
+    }
+}
+
 /// No signal is harder than this one: nothing can be tidied up, but the old file is there until the new one is whole.
 #[test]
 fn a_kill_in_the_middle_leaves_the_old_file_or_the_new_one() {

@@ -147,6 +147,33 @@ fn what_is_no_regular_file_is_refused_without_waiting() {
 }
 
 #[test]
+fn links_in_a_circle_and_names_too_long_are_told_in_either_language() {
+    let folder = folder();
+    symlink("b.obj", folder.path().join("a.obj")).unwrap();
+    symlink("a.obj", folder.path().join("b.obj")).unwrap();
+    let circle = refused(&folder.path().join("a.obj"));
+    let path = circle.path.display();
+    assert_eq!(
+        [circle.message(Lang::English), circle.message(Lang::French)],
+        [
+            format!("`{path}` cannot be read: the symbolic links on its way lead in a circle"),
+            format!("impossible de lire « {path} » : les liens symboliques qui y mènent forment un cycle"),
+        ]
+    );
+    assert_eq!(refused(&folder.path().join("b.obj/scene.xml")).cause, LoadCause::LinksInACircle);
+    let long = "n".repeat(300);
+    assert_eq!(refused(&folder.path().join(&long)).cause, LoadCause::NameTooLong);
+    let said_of = |src: &str| said(&load(&scene_in(folder.path(), &format!("<mesh src=\"{src}\"/>"))));
+    assert_eq!(
+        said_of("a.obj"),
+        error("mesh file `a.obj`: the file cannot be read: the symbolic links on its way lead in a circle")
+    );
+    let expected =
+        format!("mesh file `{long}.obj`: the file cannot be read: its name is longer than the system allows");
+    assert_eq!(said_of(&format!("{long}.obj")), error(&expected));
+}
+
+#[test]
 fn a_file_of_too_many_bytes_is_refused() {
     let folder = folder();
     let path = scene_in(folder.path(), "");

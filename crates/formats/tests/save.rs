@@ -158,8 +158,32 @@ fn links_in_a_circle_are_an_error() {
     symlink("b", folder.path().join("a")).unwrap();
     symlink("a", folder.path().join("b")).unwrap();
     let error = save(&folder.path().join("a"), b"new").unwrap_err();
-    assert!(matches!(error.cause, SaveCause::Other(_)), "{error:?}");
+    assert_eq!(error.cause, SaveCause::LinksInACircle);
+    assert_eq!(
+        error.message(Lang::French),
+        format!(
+            "impossible d'écrire « {} » : les liens symboliques qui y mènent forment un cycle",
+            error.path.display()
+        )
+    );
+    let error = save(&folder.path().join("a/output.ppm"), b"new").unwrap_err();
+    assert_eq!(error.cause, SaveCause::LinksInACircle);
     assert_eq!(names(folder.path()), ["a", "b"]);
+}
+
+#[test]
+fn a_name_that_the_system_does_not_take_is_told_in_either_language() {
+    let folder = folder();
+    let path = folder.path().join("n".repeat(300));
+    let error = save(&path, b"new").unwrap_err();
+    let path = path.display();
+    assert_eq!(
+        [error.message(Lang::English), error.message(Lang::French)],
+        [
+            format!("`{path}` cannot be written: its name is longer than the system allows"),
+            format!("impossible d'écrire « {path} » : son nom est plus long que le système ne le permet"),
+        ]
+    );
 }
 
 #[test]
@@ -370,6 +394,32 @@ fn a_writer_that_fails_at_any_byte_leaves_the_old_file_whole() {
         assert_eq!((fs::read(&path).unwrap(), mode(&path)), (whole, 0o640), "{name}");
         fs::write(&path, OLD).unwrap();
     }
+}
+
+/// A scene and the materials beside it: one of them new and the other old would be a third scene.
+#[test]
+fn of_files_that_belong_together_none_appears_before_all_are_whole() {
+    let folder = folder();
+    let [first, second, third] = ["a", "b", "c"].map(|name| folder.path().join(name));
+    let paths = [&first, &second, &third];
+    let save_with_room = |room: [usize; 3]| {
+        let write = |room| move |out: &mut dyn Write| Full { out, room }.write_all(b"new");
+        save::save_together(paths.into_iter().zip(room).map(|(path, room)| (path.as_path(), write(room))))
+    };
+    paths.iter().for_each(|path| fs::write(path, OLD).unwrap());
+    for (number, path) in paths.into_iter().enumerate() {
+        for too_little in 0..3 {
+            let mut room = [3; 3];
+            room[number] = too_little;
+            let error = save_with_room(room).unwrap_err();
+            assert_eq!(error, SaveError { path: path.clone(), cause: SaveCause::NoSpace });
+            assert!(paths.iter().all(|path| fs::read(path).unwrap() == OLD), "{room:?}");
+            assert_eq!(names(folder.path()), ["a", "b", "c"]);
+        }
+    }
+    save_with_room([3; 3]).unwrap();
+    assert!(paths.iter().all(|path| fs::read(path).unwrap() == b"new"));
+    assert_eq!(names(folder.path()), ["a", "b", "c"]);
 }
 
 #[test]

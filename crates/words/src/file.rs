@@ -26,6 +26,16 @@ phrases! {
     forbidden() { "you have no permission to read it", "vous n'avez pas le droit de le lire" }
     /// The file has too many bytes.
     larger_than(most) { "it is larger than {most} MiB", "il dépasse {most} Mio" }
+    /// Symbolic links that end nowhere.
+    links_in_a_circle() {
+        "the symbolic links on its way lead in a circle",
+        "les liens symboliques qui y mènent forment un cycle",
+    }
+    /// A path that the system does not take.
+    name_too_long() {
+        "its name is longer than the system allows",
+        "son nom est plus long que le système ne le permet",
+    }
     /// There is no memory.
     no_memory() { "there is not enough memory", "la mémoire ne suffit pas" }
 

@@ -34,7 +34,7 @@ pub(crate) fn command(lang: Lang) -> Command {
                 .value_name(help::form_value(lang))
                 .value_parser(["xml", "binary", "2009", "pov", "gltf", "glb"])
                 .hide_possible_values(true),
-            flags::switch("binary", lang, help::binary_help(lang)).conflicts_with("to"),
+            flags::binary(lang).conflicts_with("to"),
             flags::option("views", lang, help::convert_views_help(lang))
                 .value_name(help::file_value(lang))
                 .value_parser(value_parser!(PathBuf)),
@@ -116,15 +116,15 @@ fn wanted(matches: &ArgMatches, output: &Path) -> Result<Wanted, Failure> {
             other => Form::of_extension(other).unwrap_or(Form::Xml),
         }));
     }
-    if let Some(form) = Form::of_path(output) {
-        return Ok(Wanted::Document(form));
-    }
-    match output.extension() {
-        None if target::is_standard(output) => Ok(Wanted::Document(Form::Xml)),
-        Some(_) => match Format::of_path(output, matches.get_flag("binary")) {
+    let form = Form::of_path(output).or_else(|| target::is_standard(output).then_some(Form::Xml));
+    match form {
+        Some(_) if matches.get_flag("binary") => Err(Failure::BinaryOfAnother { path: output.to_owned() }),
+        Some(form) => Ok(Wanted::Document(form)),
+        None if output.extension().is_none() => Err(Failure::UnknownForm { path: output.to_owned() }),
+        None => match flags::picture_format(matches, output) {
             Ok(format) => Ok(Wanted::Picture(format)),
-            Err(_) => Err(Failure::UnknownForm { path: output.to_owned() }),
+            Err(Failure::UnknownExtension(_)) => Err(Failure::UnknownForm { path: output.to_owned() }),
+            Err(failure) => Err(failure),
         },
-        None => Err(Failure::UnknownForm { path: output.to_owned() }),
     }
 }

@@ -5,8 +5,8 @@ use crate::{Context, Exit, Failure, flags, target};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgMatches, Command};
 use lancer_formats::{save, xml};
+use lancer_scene::Views;
 use lancer_scene::generate::Family;
-use lancer_scene::{View, Views};
 use lancer_words::Lang;
 use lancer_words::cli::{generate as words, help};
 use std::path::{Path, PathBuf};
@@ -70,13 +70,12 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     for path in std::iter::once(&output).chain(&beside) {
         save::check(path).map_err(Failure::Save)?;
     }
-    form.of_scene(&scene, &output, || Ok(view.clone()))?.save(&output, &context)?;
-    if let Some(path) = &beside {
-        let views: Views = std::iter::once(view).collect::<Vec<View>>().into_iter().collect();
-        target::write(path, &context, |out| out.write_all(xml::write_views(&views).as_bytes()))?;
-        if !context.console.quiet {
-            context.console.print(words::written(context.console.lang, output.display(), path.display()) + "\n")?;
-        }
+    let written = form.of_scene(&scene, &output, || Ok(view.clone()))?;
+    let Some(path) = &beside else { return written.save(&output, &context).map(|()| Exit::Done) };
+    let views: Views = std::iter::once(view).collect();
+    written.and(path, xml::write_views(&views).into_bytes()).save(&output, &context)?;
+    if !context.console.quiet {
+        context.console.print(words::written(context.console.lang, output.display(), path.display()) + "\n")?;
     }
     Ok(Exit::Done)
 }

@@ -5,7 +5,7 @@ use crate::failure::PictureOf;
 use crate::stats::{PictureStats, Stats};
 use crate::{Context, Exit, Failure, documents, flags, progress, target};
 use clap::{Arg, ArgMatches};
-use lancer_formats::picture::{self, Format};
+use lancer_formats::picture;
 use lancer_formats::save;
 use lancer_render::{RenderOptions, Still, render_still};
 use lancer_scene::{View, Views};
@@ -36,7 +36,7 @@ pub(crate) fn arguments(lang: Lang) -> Vec<Arg> {
         flags::threads(lang),
         flags::engine(lang),
         flags::max_rays(lang),
-        flags::switch("binary", lang, help::binary_help(lang)),
+        flags::binary(lang),
         flags::option("stats", lang, help::stats_help(lang))
             .value_name(help::form_value(lang))
             .num_args(0..=1)
@@ -57,7 +57,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         return Err(Failure::AllViewsToStdout);
     }
     let tracing = flags::tracing(matches)?;
-    let format = Format::of_path(output, matches.get_flag("binary")).map_err(Failure::UnknownExtension)?;
+    let format = flags::picture_format(matches, output)?;
 
     let started = Instant::now();
     let view_path = flags::path_of(matches, "view-file");

@@ -1,6 +1,7 @@
 //! The bytes of a file, or why there are none.
 
 use crate::Describe;
+use crate::refusal::Refusal;
 use lancer_words::{Lang, file as words};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
@@ -37,6 +38,10 @@ pub enum LoadCause {
     },
     /// There is no memory for it.
     NoMemory,
+    /// The links on the way lead in a circle.
+    LinksInACircle,
+    /// The name is longer than the system allows.
+    NameTooLong,
     /// Anything else, in the system's words.
     Other(String),
 }
@@ -50,6 +55,8 @@ impl Describe for LoadError {
             LoadCause::Forbidden => "load::forbidden",
             LoadCause::TooLarge { .. } => "load::too-large",
             LoadCause::NoMemory => "load::no-memory",
+            LoadCause::LinksInACircle => "load::links-in-a-circle",
+            LoadCause::NameTooLong => "load::name-too-long",
             LoadCause::Other(_) => "load::failed",
         }
     }
@@ -62,6 +69,8 @@ impl Describe for LoadError {
             LoadCause::Forbidden => words::forbidden(lang),
             LoadCause::TooLarge { most } => words::larger_than(lang, most >> 20),
             LoadCause::NoMemory => words::no_memory(lang),
+            LoadCause::LinksInACircle => words::links_in_a_circle(lang),
+            LoadCause::NameTooLong => words::name_too_long(lang),
             LoadCause::Other(cause) => cause.clone(),
         };
         if self.path == Path::new(STANDARD) {
@@ -83,6 +92,8 @@ impl Describe for LoadError {
             | LoadCause::Forbidden
             | LoadCause::TooLarge { .. }
             | LoadCause::NoMemory
+            | LoadCause::LinksInACircle
+            | LoadCause::NameTooLong
             | LoadCause::Other(_) => None,
         }
     }
@@ -98,7 +109,11 @@ impl From<io::Error> for LoadCause {
         } else if kind == ErrorKind::OutOfMemory {
             LoadCause::NoMemory
         } else {
-            LoadCause::Other(error.to_string())
+            match Refusal::of(&error) {
+                Some(Refusal::LinksInACircle) => LoadCause::LinksInACircle,
+                Some(Refusal::NameTooLong) => LoadCause::NameTooLong,
+                None => LoadCause::Other(error.to_string()),
+            }
         }
     }
 }

@@ -123,6 +123,8 @@ fn fault(cause: LoadCause) -> MeshFault {
         LoadCause::Forbidden => MeshFault::Forbidden,
         LoadCause::TooLarge { most } => MeshFault::TooLarge { most },
         LoadCause::NoMemory => MeshFault::NoMemory,
+        LoadCause::LinksInACircle => MeshFault::LinksInACircle,
+        LoadCause::NameTooLong => MeshFault::NameTooLong,
         LoadCause::Other(cause) => MeshFault::Unreadable(cause),
     }
 }

@@ -24,6 +24,10 @@ pub enum MeshFault {
     Unreadable(String),
     /// The user must not read it.
     Forbidden,
+    /// The links on its way lead in a circle.
+    LinksInACircle,
+    /// Its name is longer than the system allows.
+    NameTooLong,
     /// There is no memory for it.
     NoMemory,
     /// It is a folder, a pipe or a device.
@@ -122,6 +126,8 @@ impl Describe for MeshProblem {
             MeshFault::Missing => "mesh::missing",
             MeshFault::Unreadable(_) => "mesh::unreadable",
             MeshFault::Forbidden => "mesh::forbidden",
+            MeshFault::LinksInACircle => "mesh::links-in-a-circle",
+            MeshFault::NameTooLong => "mesh::name-too-long",
             MeshFault::NoMemory => "mesh::no-memory",
             MeshFault::NotAFile => "mesh::not-a-file",
             MeshFault::Outside => "mesh::outside",
@@ -157,6 +163,8 @@ impl Describe for MeshProblem {
             MeshFault::Missing => words::missing(lang),
             MeshFault::Unreadable(cause) => words::unreadable(lang, cause),
             MeshFault::Forbidden => words::unreadable(lang, file::forbidden(lang)),
+            MeshFault::LinksInACircle => words::unreadable(lang, file::links_in_a_circle(lang)),
+            MeshFault::NameTooLong => words::unreadable(lang, file::name_too_long(lang)),
             MeshFault::NoMemory => words::unreadable(lang, file::no_memory(lang)),
             MeshFault::NotAFile => words::not_a_file(lang),
             MeshFault::Outside => words::outside(lang),
@@ -210,6 +218,8 @@ impl Describe for MeshProblem {
             MeshFault::TooManyCorners { .. } => Some(words::too_many_corners_help(lang)),
             MeshFault::Unreadable(_)
             | MeshFault::Forbidden
+            | MeshFault::LinksInACircle
+            | MeshFault::NameTooLong
             | MeshFault::NoMemory
             | MeshFault::TooLarge { .. }
             | MeshFault::TooMuchMemory { .. }

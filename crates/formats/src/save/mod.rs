@@ -1,15 +1,17 @@
 //! Writing files: the one place where files are opened for writing.
 //!
 //! A file is written beside its place and moved there when it is whole, so a full disk or a kill leaves the old file as
-//! it was; what [`save`] writes is on the disk by then, so that a power cut does too. Links are followed: what a link names is replaced, the link stays. The
-//! mode and, where the system lets us, the owner of the old file are kept. Devices, pipes and standard output have no
-//! old content to keep and are written directly.
+//! it was; what [`save`] writes is on the disk by then, so that a power cut does too. A kill that lets nothing be tidied
+//! up (SIGKILL), and a power cut, can leave the unfinished `.lancer-….part` beside it. Links are followed: what a link
+//! names is replaced, the link stays. The mode and, where the system lets us, the owner of the old file are kept.
+//! Devices, pipes and standard output have no old content to keep and are written directly.
 
 mod scene;
 
 pub use scene::{Origin, SceneFormat, UnknownSceneExtension, save_scene, scene_bytes};
 
 use crate::Describe;
+use crate::refusal::Refusal;
 use lancer_words::{Lang, file as words};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -48,6 +50,10 @@ pub enum SaveCause {
     NoSpace,
     /// The file would exceed a limit.
     TooLarge,
+    /// The links on the way lead in a circle.
+    LinksInACircle,
+    /// The name is longer than the system allows.
+    NameTooLong,
     /// The reader of the pipe is gone: no error for a program whose output goes to `head`.
     Closed,
     /// Anything else, in the system's or the writer's words.
@@ -64,6 +70,8 @@ impl Describe for SaveError {
             SaveCause::ReadOnlyFolder(_) => "save::read-only-folder",
             SaveCause::NoSpace => "save::no-space",
             SaveCause::TooLarge => "save::too-large",
+            SaveCause::LinksInACircle => "save::links-in-a-circle",
+            SaveCause::NameTooLong => "save::name-too-long",
             SaveCause::Closed => "save::closed",
             SaveCause::Other(_) => "save::failed",
         }
@@ -78,6 +86,8 @@ impl Describe for SaveError {
             SaveCause::ReadOnlyFolder(folder) => words::read_only_folder(lang, folder.display()),
             SaveCause::NoSpace => words::no_space(lang),
             SaveCause::TooLarge => words::too_large(lang),
+            SaveCause::LinksInACircle => words::links_in_a_circle(lang),
+            SaveCause::NameTooLong => words::name_too_long(lang),
             SaveCause::Closed => words::closed(lang),
             SaveCause::Other(cause) => cause.clone(),
         };
@@ -99,7 +109,11 @@ impl Describe for SaveError {
             SaveCause::ReadOnly => Some(words::read_only_help(lang)),
             SaveCause::ReadOnlyFolder(_) => Some(words::read_only_folder_help(lang)),
             SaveCause::NoSpace | SaveCause::TooLarge => Some(words::old_file_whole(lang)),
-            SaveCause::NotAFolder(_) | SaveCause::Closed | SaveCause::Other(_) => None,
+            SaveCause::NotAFolder(_)
+            | SaveCause::LinksInACircle
+            | SaveCause::NameTooLong
+            | SaveCause::Closed
+            | SaveCause::Other(_) => None,
         }
     }
 }
@@ -114,7 +128,11 @@ impl From<io::Error> for SaveCause {
         } else if kind == ErrorKind::BrokenPipe {
             SaveCause::Closed
         } else {
-            SaveCause::Other(error.to_string())
+            match Refusal::of(&error) {
+                Some(Refusal::LinksInACircle) => SaveCause::LinksInACircle,
+                Some(Refusal::NameTooLong) => SaveCause::NameTooLong,
+                None => SaveCause::Other(error.to_string()),
+            }
         }
     }
 }
@@ -126,15 +144,34 @@ impl From<io::Error> for SaveCause {
 /// Why the file cannot be written, be it the system or `write` that says so. A regular file that stood there before is
 /// then whole, and nothing is left beside it.
 pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
-    save_and(path, write, |temporary, target| {
-        temporary.as_file().sync_all()?;
-        temporary.persist(target).map_err(|error| error.error)?;
+    save_together([(path, write)])
+}
+
+/// Writes files of somebody's work that belong together, a scene and the materials beside it: none of them appears
+/// before all of them are on the disk.
+///
+/// # Errors
+/// Those of [`save`], of the first file that cannot be written. All regular files that stood there before are then
+/// whole: only when the system refuses to move one that is whole, the ones before it have moved already.
+pub fn save_together<'a, W: FnOnce(&mut dyn Write) -> io::Result<()>>(
+    files: impl IntoIterator<Item = (&'a Path, W)>,
+) -> Result<(), SaveError> {
+    let mut waiting = Vec::new();
+    for (path, write) in files {
+        let failed = |cause| SaveError { path: path.to_owned(), cause };
+        if let Some((file, target)) = filled(path, write)? {
+            file.as_file().sync_all().map_err(|error| failed(error.into()))?;
+            waiting.push((path, file, target));
+        }
+    }
+    for (path, file, target) in waiting {
+        appear(file, &target).map_err(|error| SaveError { path: path.to_owned(), cause: error.into() })?;
         // The move itself reaches the disk with the folder. Where that fails, the file is whole all the same.
-        if let Ok(folder) = File::open(folder_of(target)) {
+        if let Ok(folder) = File::open(folder_of(&target)) {
             let _ = folder.sync_all();
         }
-        Ok(())
-    })
+    }
+    Ok(())
 }
 
 /// Writes a file that can be computed again, a picture: as [`save`] does, but the system brings it to the disk when it
@@ -143,29 +180,40 @@ pub fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
 /// # Errors
 /// Those of [`save`].
 pub fn save_output(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
-    save_and(path, write, |temporary, target| temporary.persist(target).map(drop).map_err(|error| error.error))
+    match filled(path, write)? {
+        Some((file, target)) => {
+            appear(file, &target).map_err(|error| SaveError { path: path.to_owned(), cause: error.into() })
+        }
+        None => Ok(()),
+    }
 }
 
-/// Writes a file; `appear` moves the whole one to its place.
-fn save_and(
+/// Moves a whole file to its place.
+fn appear(file: NamedTempFile, target: &Path) -> io::Result<()> {
+    file.persist(target).map(drop).map_err(|error| error.error)
+}
+
+/// Writes to a path: a regular file beside its place, which is given with it; anything else, directly.
+fn filled(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    appear: impl FnOnce(NamedTempFile, &Path) -> io::Result<()>,
-) -> Result<(), SaveError> {
+) -> Result<Option<(NamedTempFile, PathBuf)>, SaveError> {
     let failed = |cause| SaveError { path: path.to_owned(), cause };
     match Destination::of(path).map_err(failed)? {
         Destination::Standard => {
             let mut out = io::stdout().lock();
-            write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(error.into()))
+            write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(error.into()))?;
+            Ok(None)
         }
         Destination::Direct => {
             let open = OpenOptions::new().write(true).open(path);
-            open.and_then(|file| fill(file, write).map(drop)).map_err(|error| failed(error.into()))
+            open.and_then(|file| fill(file, write).map(drop)).map_err(|error| failed(error.into()))?;
+            Ok(None)
         }
         Destination::Replace { target, old } => {
             let temporary = beside(&target, old.as_ref()).map_err(failed)?;
             fill(temporary.as_file(), write).map_err(|error| failed(error.into()))?;
-            appear(temporary, &target).map_err(|error| failed(error.into()))
+            Ok(Some((temporary, target)))
         }
     }
 }
@@ -258,8 +306,7 @@ fn behind_links(path: &Path) -> Result<PathBuf, SaveCause> {
             Err(error) => return Err(error.into()),
         }
     }
-    // The system says it in its own words.
-    Err(fs::metadata(path).err().unwrap_or_else(|| ErrorKind::InvalidFilename.into()).into())
+    Err(SaveCause::LinksInACircle)
 }
 
 /// The folder in which a path's last part stands.

@@ -27,6 +27,17 @@ width and height are at least 1",
     }
     /// --adaptive is no threshold.
     bad_threshold() { "a number from 0 to 1 is due, such as 0.05", "on attend un nombre de 0 à 1, par exemple 0.05" }
+    /// --binary with another format.
+    binary_of_another(path) {
+        "--binary writes a .ppm file in its binary form, P6, and `{path}` is none",
+        "--binary écrit un fichier .ppm sous sa forme binaire, P6, et « {path} » n'en est pas un",
+    }
+    /// What to do about it.
+    binary_of_another_help() {
+        "leave it out, or name a .ppm file; a binary scene has the extension .lancer, or --to binary makes it one",
+        "retirez cette option, ou nommez un fichier .ppm ; une scène binaire a l'extension .lancer, ou s'obtient par \
+--to binary",
+    }
     /// --all-views with `-`.
     all_views_to_stdout() {
         "--all-views writes several pictures; they cannot all go to standard output",
