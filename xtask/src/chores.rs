@@ -1,7 +1,7 @@
 //! The chores: what the tests need, the tests themselves, and the checks of a submission.
 
 use crate::instructions;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Something that tests use, and the Debian packages that bring it.
@@ -68,8 +68,7 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
     if succeeds(PYTHON.probe) {
         run(root, Command::new("/usr/bin/python3").arg("tests/outside/laws.py"))?;
         cargo(root, &["build", "--package", "lancer"], &[])?;
-        let lancer = root.join("target/debug/lancer");
-        run(root, Command::new("/usr/bin/python3").arg("tests/outside/agrees.py").arg(lancer))?;
+        run(root, Command::new("/usr/bin/python3").arg("tests/outside/agrees.py").arg(built("lancer")?))?;
         run(root, Command::new("/usr/bin/python3").arg("tests/outside/suite.py"))?;
     } else {
         println!("left out: python3 with numpy is not there, so nothing was compared with tests/outside");
@@ -111,6 +110,16 @@ fn succeeds(command: &[&str]) -> bool {
         .stderr(Stdio::null())
         .status()
         .is_ok_and(|status| status.success())
+}
+
+/// Where `cargo build` puts a program: as this one, which it built too, below the target folder, wherever that is.
+///
+/// # Errors
+/// The system does not say where this program is.
+pub(crate) fn built(program: &str) -> Result<PathBuf, String> {
+    let own = std::env::current_exe().map_err(|error| format!("where is xtask? {error}"))?;
+    let target = own.parent().and_then(Path::parent).unwrap_or(Path::new("target"));
+    Ok(target.join("debug").join(program))
 }
 
 /// Runs cargo in the checkout.

@@ -121,7 +121,7 @@ fn instructions(root: &Path, scene: &str, backend: &str, size: &str) -> Result<u
     let mut command = Command::new("valgrind");
     command
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(root.join("target/debug/lancer"))
+        .arg(crate::chores::built("lancer")?)
         .args([format!("{scene}.xml"), format!("{scene}.view.xml")])
         .arg(picture)
         .args(["--binary", "--samples", "1", "--threads", "1", "--quiet", "--size", size])

@@ -27,24 +27,34 @@ fn signal(child: &Child, name: &str) {
     assert!(status.success());
 }
 
+/// One of five attempts takes less than 100 ms: a busy machine makes some of them late, a slow program all.
+fn assert_within_100_ms(mut attempt: impl FnMut() -> Duration) {
+    let mut waited = Vec::new();
+    while waited.last().is_none_or(|last| *last >= Duration::from_millis(100)) {
+        assert!(waited.len() < 5, "{waited:?}");
+        waited.push(attempt());
+    }
+}
+
 #[test]
 fn ctrl_c_and_termination_stop_within_100_ms_and_leave_nothing() {
     let folder = folder();
     let before = listing(folder.path());
     for name in ["INT", "TERM", "HUP"] {
-        let mut child = endless(folder.path());
-        assert!(child.try_wait().unwrap().is_none(), "the rendering should not end by itself");
-        let asked = Instant::now();
-        signal(&child, name);
-        let status = child.wait().unwrap();
-        let waited = asked.elapsed();
-        assert_eq!(status.code(), Some(130), "{name}");
-        // the grace of the program is 20 ms; the rest is for a busy machine
-        assert!(waited < Duration::from_millis(200), "{name}: {waited:?}");
-        assert_eq!(listing(folder.path()), before, "{name}");
-        let mut said = String::new();
-        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
-        assert_eq!(said, "", "{name}");
+        assert_within_100_ms(|| {
+            let mut child = endless(folder.path());
+            assert!(child.try_wait().unwrap().is_none(), "the rendering should not end by itself");
+            let asked = Instant::now();
+            signal(&child, name);
+            let status = child.wait().unwrap();
+            let waited = asked.elapsed();
+            assert_eq!(status.code(), Some(130), "{name}");
+            assert_eq!(listing(folder.path()), before, "{name}");
+            let mut said = String::new();
+            child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+            assert_eq!(said, "", "{name}");
+            waited
+        });
     }
 }
 
@@ -53,14 +63,16 @@ fn ctrl_c_and_termination_stop_within_100_ms_and_leave_nothing() {
 fn ctrl_c_ends_a_program_that_waits_for_a_reader() {
     let folder = folder();
     assert!(Command::new("mkfifo").arg(folder.path().join("pipe.ppm")).status().unwrap().success());
-    let mut child =
-        Command::new(program()).args(["scene.xml", "view.xml", "pipe.ppm"]).current_dir(folder.path()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(400));
-    assert!(child.try_wait().unwrap().is_none(), "nobody reads the pipe yet");
-    let asked = Instant::now();
-    signal(&child, "INT");
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert!(asked.elapsed() < Duration::from_millis(200), "{:?}", asked.elapsed());
+    assert_within_100_ms(|| {
+        let mut command = Command::new(program());
+        let mut child = command.args(["scene.xml", "view.xml", "pipe.ppm"]).current_dir(folder.path()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(400));
+        assert!(child.try_wait().unwrap().is_none(), "nobody reads the pipe yet");
+        let asked = Instant::now();
+        signal(&child, "INT");
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        asked.elapsed()
+    });
 }
 
 /// The program waits for a scene on standard input that never comes.
@@ -68,23 +80,23 @@ fn ctrl_c_ends_a_program_that_waits_for_a_reader() {
 fn ctrl_c_ends_a_program_that_waits_for_its_input() {
     let folder = folder();
     let before = listing(folder.path());
-    let mut child = Command::new(program())
-        .args(["-", "view.xml", "out.ppm"])
-        .current_dir(folder.path())
-        .stdin(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_millis(400));
-    assert!(child.try_wait().unwrap().is_none(), "the input is still open");
-    let asked = Instant::now();
-    signal(&child, "INT");
-    // `wait` would close the input
-    while child.try_wait().unwrap().is_none() && asked.elapsed() < Duration::from_secs(5) {
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    assert!(asked.elapsed() < Duration::from_millis(200), "{:?}", asked.elapsed());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert_eq!(listing(folder.path()), before);
+    assert_within_100_ms(|| {
+        let mut command = Command::new(program());
+        command.args(["-", "view.xml", "out.ppm"]).current_dir(folder.path()).stdin(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(400));
+        assert!(child.try_wait().unwrap().is_none(), "the input is still open");
+        let asked = Instant::now();
+        signal(&child, "INT");
+        // `wait` would close the input
+        while child.try_wait().unwrap().is_none() && asked.elapsed() < Duration::from_secs(5) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        let waited = asked.elapsed();
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        assert_eq!(listing(folder.path()), before);
+        waited
+    });
 }
 
 #[test]

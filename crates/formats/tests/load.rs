@@ -298,7 +298,7 @@ fn a_mesh_that_is_no_regular_file_is_refused_without_waiting() {
     assert_eq!(said_of("endless.obj"), error("mesh file `endless.obj`: the file is larger than 4096 MiB"));
     assert_eq!(said_of("lost.obj"), error("mesh file `lost.obj`: there is no such file"));
     fs::write(folder.path().join("bad.obj"), "v 0 0 0\nf 1 2 3\n").unwrap();
-    let expected = "mesh file `bad.obj`, line 2: a facet names vertex 2, but there are 1 vertices";
+    let expected = "mesh file `bad.obj`, line 2: a facet names vertex 2, which does not exist: 1 vertex so far";
     assert_eq!(said_of("bad.obj"), error(expected));
 }
 

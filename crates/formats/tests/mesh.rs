@@ -82,10 +82,10 @@ fn an_obj_file_says_what_is_wrong_and_where() {
     let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let said = |rest: &str| message("m/a.obj", format!("{vertices}{rest}\n"));
     let in_4 = |text: &str| format!("mesh file `m/a.obj`, line 4: {text}");
-    assert_eq!(said("f 1 2 4"), in_4("a facet names vertex 4, but there are 3 vertices"));
-    assert_eq!(said("f 1 2 0"), in_4("a facet names vertex 0, but there are 3 vertices"));
-    assert_eq!(said("f 1 2 -4"), in_4("a facet names vertex -4, but there are 3 vertices"));
-    assert_eq!(said("f 1//1 2 3"), in_4("a facet names normal 1, but there are 0 normals"));
+    assert_eq!(said("f 1 2 4"), in_4("a facet names vertex 4, which does not exist: 3 vertices so far"));
+    assert_eq!(said("f 1 2 0"), in_4("a facet names vertex 0, which does not exist: 3 vertices so far"));
+    assert_eq!(said("f 1 2 -4"), in_4("a facet names vertex -4, which does not exist: 3 vertices so far"));
+    assert_eq!(said("f 1//1 2 3"), in_4("a facet names normal 1, which does not exist: 0 normals so far"));
     assert_eq!(said("f 1 2"), in_4("a facet needs three corners, not 2"));
     assert_eq!(said("f 1 2 three"), in_4("a number is due, not `three`"));
     assert_eq!(said("f 1 2 99999999999999999999"), in_4("a number is due, not `99999999999999999999`"));
@@ -102,14 +102,17 @@ fn an_obj_file_says_what_is_wrong_and_where() {
     );
     assert_eq!(
         refused("a.obj", "f 1 2 3").message(Lang::French),
-        "fichier de maillage « a.obj », ligne 1 : une facette nomme le sommet 1, mais il y a 0 sommets"
+        "fichier de maillage « a.obj », ligne 1 : une facette nomme le sommet 1, qui n'existe pas : 0 sommet jusque-là"
     );
 }
 
 #[test]
 fn a_line_behind_a_continued_one_has_its_own_number() {
     let text = "v 0 0 0\nv 1 \\\n 0 \\\n 0\nv 0 1 0\nf 1 2 9\n";
-    assert_eq!(message("a.obj", text), "mesh file `a.obj`, line 6: a facet names vertex 9, but there are 3 vertices");
+    assert_eq!(
+        message("a.obj", text),
+        "mesh file `a.obj`, line 6: a facet names vertex 9, which does not exist: 3 vertices so far"
+    );
 }
 
 #[test]
@@ -258,8 +261,14 @@ fn a_ply_file_says_what_is_wrong_and_where() {
         said(header("element face 1\nproperty int x\nend_header\n1\n")),
         in_line(6, "`vertex_indices` is missing")
     );
-    assert_eq!(said(triangle(good, "3 0 1 3")), in_line(13, "a facet names vertex 3, but there are 3 vertices"));
-    assert_eq!(said(triangle(good, "3 0 1 -1")), in_line(13, "a facet names vertex -1, but there are 3 vertices"));
+    assert_eq!(
+        said(triangle(good, "3 0 1 3")),
+        in_line(13, "a facet names vertex 3, which does not exist: 3 vertices so far")
+    );
+    assert_eq!(
+        said(triangle(good, "3 0 1 -1")),
+        in_line(13, "a facet names vertex -1, which does not exist: 3 vertices so far")
+    );
     assert_eq!(said(triangle(good, "2 0 1")), in_line(13, "a facet needs three corners, not 2"));
     assert_eq!(said(triangle(good, "-3 0 1 2")), in_line(13, "`count` is due, not `-3`"));
     assert_eq!(said(triangle("0 0 0\n1 nan 0\n0 1 0", "3 0 1 2")), in_line(11, "the coordinate NaN is not allowed"));

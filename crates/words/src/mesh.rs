@@ -89,13 +89,13 @@ phrases! {
     }
     /// A facet names a vertex that does not exist.
     no_such_vertex(named, vertices) {
-        "a facet names vertex {named}, but there are {vertices} vertices",
-        "une facette nomme le sommet {named}, mais il y a {vertices} sommets",
+        "a facet names vertex {named}, which does not exist: {vertices} so far",
+        "une facette nomme le sommet {named}, qui n'existe pas : {vertices} jusque-là",
     }
     /// A facet names a normal that does not exist.
     no_such_normal(named, normals) {
-        "a facet names normal {named}, but there are {normals} normals",
-        "une facette nomme la normale {named}, mais il y a {normals} normales",
+        "a facet names normal {named}, which does not exist: {normals} so far",
+        "une facette nomme la normale {named}, qui n'existe pas : {normals} jusque-là",
     }
     /// A face that is no surface.
     too_few_corners(corners) {

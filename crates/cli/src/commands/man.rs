@@ -6,6 +6,9 @@ use clap::{ArgMatches, Command};
 use lancer_words::Lang;
 use lancer_words::cli::help as words;
 
+/// What every page belongs to.
+const PROGRAM: &str = concat!("lancer ", env!("CARGO_PKG_VERSION"));
+
 pub(crate) fn command(lang: Lang) -> Command {
     Command::new("man").about(words::about_man(lang)).arg(help::command_argument(lang))
 }
@@ -15,7 +18,7 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
     let asked = help::asked_command(command::command(lang), matches);
     let mut page = Vec::new();
     // writing into memory cannot fail
-    let _ = clap_mangen::Man::new(asked.disable_help_subcommand(true)).render(&mut page);
+    let _ = clap_mangen::Man::new(asked.disable_help_subcommand(true)).source(PROGRAM).render(&mut page);
     context.console.print(with_headings(&String::from_utf8_lossy(&page), lang)).map(|()| Exit::Done)
 }
 

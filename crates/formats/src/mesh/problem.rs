@@ -1,7 +1,7 @@
 //! What can be wrong with a mesh file.
 
 use crate::Describe;
-use lancer_words::{Lang, file, mesh as words};
+use lancer_words::{Lang, file, mesh as words, number};
 use std::sync::Arc;
 
 /// What is wrong with a mesh file. It is told at the place in the document that names the file.
@@ -177,8 +177,12 @@ impl Describe for MeshProblem {
             MeshFault::Unexpected { found, due } => words::unexpected(lang, found, due),
             MeshFault::TooFewNumbers(word) => words::too_few_numbers(lang, word),
             MeshFault::Coordinate(value) => words::coordinate(lang, format!("{value:e}")),
-            MeshFault::NoSuchVertex { named, vertices } => words::no_such_vertex(lang, named, vertices),
-            MeshFault::NoSuchNormal { named, normals } => words::no_such_normal(lang, named, normals),
+            MeshFault::NoSuchVertex { named, vertices } => {
+                words::no_such_vertex(lang, named, number::vertices(lang, *vertices))
+            }
+            MeshFault::NoSuchNormal { named, normals } => {
+                words::no_such_normal(lang, named, number::normals(lang, *normals))
+            }
             MeshFault::TooFewCorners(corners) => words::too_few_corners(lang, corners),
             MeshFault::TooManyCorners { corners, most } => words::too_many_corners(lang, corners, most),
             MeshFault::TooManyItems => words::too_many_items(lang),

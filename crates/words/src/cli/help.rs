@@ -61,6 +61,8 @@ A scene file that is named like a command is given as ./show.
 
 Environment: LANCER_SIMD=portable, avx2 or avx512 chooses the instructions of the engine simd; otherwise it uses the best that the machine has. The picture is the same.
 
+Files are written beside their place, as .lancer-….part, and moved there when they are whole. After kill -9 or a power cut such a part may remain: it can be deleted.
+
 Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `check` found errors; 2 wrong use of the command line; 3 a file cannot be read or written, or memory is short; 130 interrupted.",
         "Exemples :
   lancer scene.xml vue.xml                       la première vue, écrite dans output.ppm
@@ -70,6 +72,8 @@ Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `chec
 Un fichier de scène qui porte le nom d'une commande se donne ainsi : ./show.
 
 Environnement : LANCER_SIMD=portable, avx2 ou avx512 choisit les instructions du moteur simd ; sinon il emploie les meilleures de la machine. L'image est la même.
+
+Les fichiers sont écrits à côté de leur place, sous un nom .lancer-….part, et y sont déplacés une fois complets. Après kill -9 ou une coupure de courant, un tel fichier peut rester : on peut le supprimer.
 
 Code de retour : 0 terminé ; 1 l'entrée est fausse, ou `diff` a trouvé des différences, ou `check` des erreurs ; 2 mauvais emploi de la ligne de commande ; 3 fichier impossible à lire ou à écrire, ou mémoire insuffisante ; 130 interrompu.",
     }
