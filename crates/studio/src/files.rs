@@ -2,7 +2,7 @@
 
 use crate::app::Studio;
 use crate::dialogs::{Browser, Reply};
-use crate::legacy::Making;
+use crate::foreign::{Foreign, Weighing};
 use crate::modals::{self, Modal};
 use crate::questions::Question;
 use crate::reading::{Purpose, Read, Reading};
@@ -43,8 +43,8 @@ pub(crate) struct Files {
     /// Files to read after that one.
     waiting: VecDeque<(PathBuf, Purpose)>,
     writing: Vec<Writing>,
-    /// What is about to be exported to the format of 2009.
-    making: Option<Making>,
+    /// What is about to be exported.
+    weighing: Option<Weighing>,
     /// What goes on once everything is written.
     after: Option<After>,
 }
@@ -79,12 +79,12 @@ impl Studio {
             self.read_next(ctx);
         }
         self.take_written(ctx);
-        if let Some(made) = self.model.files.making.as_ref().and_then(Making::poll) {
-            self.model.files.making = None;
-            if made.losses.is_empty() {
-                self.ask(Question::Export2009(made.what, made.text));
+        if let Some(weighed) = self.model.files.weighing.as_ref().and_then(Weighing::poll) {
+            self.model.files.weighing = None;
+            if weighed.losses.is_empty() {
+                self.ask(Question::Export(weighed.what, Box::new(weighed.content)));
             } else {
-                self.modal = Some(Modal::Losses(made));
+                self.modal = Some(Modal::Losses(weighed));
             }
         }
     }
@@ -100,7 +100,8 @@ impl Studio {
             Question::Save => self.write_document(ctx, path),
             Question::SaveViews => self.write_views(ctx, path),
             Question::Picture(view, format) => self.export(ctx, path, &view, format),
-            Question::Export2009(_, text) | Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
+            Question::Export(_, content) => self.write(ctx, path, What::Foreign(content)),
+            Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
         }
     }
 
@@ -121,8 +122,13 @@ impl Studio {
             },
             FileAction::SaveViewsAs => self.ask(Question::SaveViews),
             FileAction::SaveText { name, text } => self.ask(Question::Text { name, text }),
-            FileAction::Export2009(what) => {
-                self.model.files.making = Some(Making::begin(ctx, self.model.document.stage(), what));
+            FileAction::Export(what) => {
+                let stage = self.model.document.stage();
+                let active = stage.views.iter().find(|view| Some(&*view.name) == self.model.active.as_deref());
+                let view = active.or_else(|| stage.views.iter().next()).map(|view| &**view);
+                // without a view the menu does not offer a format with a camera
+                let content = Foreign::of(what, stage, view);
+                self.model.files.weighing = content.map(|content| Weighing::begin(ctx, what, content));
             }
             FileAction::AddMesh => self.ask(Question::Mesh),
             FileAction::Quit => self.ask_about_changes(ctx, After::Quit),
@@ -405,7 +411,7 @@ impl Studio {
                     self.model.settings.remember(&path);
                 }
                 Ok(Written::Views(saved)) => self.model.document.saved_views(saved),
-                Ok(Written::Text) => {}
+                Ok(Written::Other) => {}
             }
             self.toasts.say(Toast::done(words::written(lang, short(&path))));
         }

@@ -4,7 +4,7 @@ use crate::app::Studio;
 use crate::dialogs::Reply;
 use crate::entry::Entry;
 use crate::files::After;
-use crate::legacy::Losses;
+use crate::foreign::Losses;
 use crate::menus::MENUS;
 use crate::questions::Question;
 use crate::theme::Palette;
@@ -27,7 +27,7 @@ pub(crate) enum Modal {
     Shortcuts,
     /// What the program is.
     About,
-    /// What the format of 2009 cannot hold of what is exported to it.
+    /// What a format cannot hold of what is exported to it.
     Losses(Losses),
     /// A program before this one has ended without saving: what it kept.
     Recover(Box<Kept>, LeftBehind),
@@ -110,7 +110,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
     let mut answer = None;
     let modal = modal(ctx, "losses").show(ctx, |ui| {
         ui.set_width(460.0);
-        ui.heading(words::losses_title(lang));
+        ui.heading(words::losses_title(lang, losses.what.format(lang)));
         ui.add_space(6.0);
         ui.label(words::losses_text(lang));
         ui.add_space(8.0);
@@ -134,7 +134,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
         });
     });
     match answer.or_else(|| modal.should_close().then_some(false)) {
-        Some(true) => studio.ask(Question::Export2009(losses.what, losses.text)),
+        Some(true) => studio.ask(Question::Export(losses.what, Box::new(losses.content))),
         Some(false) => {}
         None => studio.modal = Some(Modal::Losses(losses)),
     }

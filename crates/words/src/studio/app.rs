@@ -150,9 +150,9 @@ phrases! {
     /// The title of a dialog.
     save_picture_title(view) { "Save the picture of {view}", "Enregistrer l'image de {view}" }
     /// The title of a dialog.
-    export_2009_title() { "Export to the format of 2009", "Exporter au format de 2009" }
+    export_title(what) { "Export: {what}", "Exporter : {what}" }
     /// What is asked before an export that loses something.
-    losses_title() { "The format of 2009 cannot hold everything", "Le format de 2009 ne peut pas tout contenir" }
+    losses_title(format) { "{format} cannot hold everything", "{format} ne peut pas tout contenir" }
     /// What is lost, before the list.
     losses_text() {
         "The exported file will differ from this document in what follows. The document itself stays as it is.",
