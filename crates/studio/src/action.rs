@@ -4,13 +4,13 @@
 use crate::explainer::Target;
 use crate::toasts::Toast;
 use egui_tiles::LinearDir;
-use lancer_words::{Lang, studio::menu as words};
 use lancer_document::insert::NewItem;
 use lancer_document::navigate::Side;
 use lancer_document::{Command, Item, Selection, StepName};
 use lancer_formats::picture::Format;
 use lancer_render::Region;
 use lancer_scene::{Edit, Name};
+use lancer_words::{Lang, studio::menu as words};
 use std::path::PathBuf;
 
 /// Something that the user wants.

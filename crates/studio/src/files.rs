@@ -14,6 +14,7 @@ use crate::{FileAction, Tab, told};
 use lancer_document::open::{Content, MESH_EXTENSIONS, OnDisk, OpenError, ViewsFile, Warnings, views_beside};
 use lancer_document::{Document, StepName};
 use lancer_formats::load::LoadOptions;
+use lancer_formats::progress::Stage;
 use lancer_formats::save::SceneFormat;
 use lancer_formats::{Describe, Severity};
 use lancer_words::{number, studio::app as words};
@@ -336,10 +337,22 @@ impl Studio {
         let mut given_up = false;
         let modal = modals::modal(ctx, "reading").show(ctx, |ui| {
             ui.set_width(320.0);
-            ui.horizontal(|ui| {
+            let (stage, part) = reading.progress.now();
+            let name = short(&reading.path);
+            let label = match stage {
+                Stage::Bytes => words::loading(lang, name),
+                Stage::Content => words::making_out(lang, name),
+            };
+            let label = ui.horizontal(|ui| {
                 ui.add(egui::Spinner::new().size(18.0).color(palette.accent));
-                ui.label(words::loading(lang, short(&reading.path)));
+                ui.label(label).id
             });
+            ui.add_space(8.0);
+            let bar = match part {
+                Some(part) => egui::ProgressBar::new(part as f32).show_percentage(),
+                None => egui::ProgressBar::new(0.0),
+            };
+            ui.add(bar).labelled_by(label.inner);
             ui.add_space(10.0);
             ui.vertical_centered(|ui| {
                 given_up = ui.add(modals::default_button(words::cancel(lang), palette)).clicked();

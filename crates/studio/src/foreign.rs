@@ -42,7 +42,8 @@ impl Foreign {
 
     /// What the format cannot hold of it.
     fn losses(&self) -> Vec<Problem> {
-        let of_2009 = |losses: Vec<n7_2009::Loss>| losses.into_iter().map(|loss| N7Problem::Loss(loss).into()).collect();
+        let of_2009 =
+            |losses: Vec<n7_2009::Loss>| losses.into_iter().map(|loss| N7Problem::Loss(loss).into()).collect();
         let of_others = |losses: Vec<export::Loss>| losses.into_iter().map(Problem::from).collect();
         match self {
             Foreign::Scene2009(scene) => of_2009(n7_2009::write_scene(scene).1),

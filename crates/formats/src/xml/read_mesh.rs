@@ -6,7 +6,7 @@ use super::read_scene::SceneReader;
 use super::sink::Sink;
 use super::vocabulary::{ElementRule, FACETS, MESH, NORMALS, PART, VERTICES};
 use super::{Due, Element, Number, StructureProblem, ValueProblem, Written};
-use crate::{Diagnostic, Span};
+use crate::{Diagnostic, Span, progress};
 use lancer_scene::{DVec3, Invalid, Mesh, MeshGeometry, Part, Placement, Shape, limits};
 use std::sync::Arc;
 
@@ -164,6 +164,7 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
                 return None;
             }
             triples.extend(triple.push(value, span).map(DVec3::from));
+            progress::now_and_then(triples.len(), || span.end);
         }
         triple.decimal_commas(&written, sink)?;
     }
@@ -190,6 +191,7 @@ fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d
                 faults += 1;
             }
             facets.extend(triple.push(vertex, span));
+            progress::now_and_then(facets.len(), || span.end);
         }
     }
     triple.finish(facets.len(), element, sink)?;
