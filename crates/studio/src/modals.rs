@@ -8,7 +8,6 @@ use crate::foreign::Losses;
 use crate::menus::MENUS;
 use crate::questions::Question;
 use crate::theme::Palette;
-use crate::told;
 use egui::{Align, Button, Grid, Id, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
 use egui_material_icons::icons::ICON_WARNING;
 use lancer_document::Document;
@@ -118,7 +117,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
             for loss in &losses.losses {
                 ui.horizontal_top(|ui| {
                     ui.label(ICON_WARNING.rich_text().size(15.0).color(palette.warning));
-                    ui.add(egui::Label::new(told::sentence(&loss.message(lang))).wrap());
+                    ui.add(egui::Label::new(loss.message(lang)).wrap());
                 });
             }
         });

@@ -165,6 +165,25 @@ fn edit_all(window: &mut Window, item: &Item, rules: &[&'static ElementRule]) ->
     window.steps() - begin
 }
 
+/// No attribute keeps its English name in a French window, but for those that are French too or signs.
+#[test]
+fn every_attribute_has_a_french_label() {
+    const SAME: [&str; 16] = [
+        "p0", "p1", "p2", "u", "v", "w", "ka", "kd", "ks", "kr", "kt", "base", "position", "rotation", "visible",
+        "index",
+    ];
+    // what no field is labelled with: the editor has words of its own for it
+    const WITHOUT_FIELD: [&str; 4] = ["version", "name", "first", "facets"];
+    for rule in vocabulary::ELEMENTS {
+        for known in rule.attributes {
+            let [english, french] =
+                [Lang::English, Lang::French].map(|lang| attribute::label(lang, rule.name, known.name));
+            let is_same = SAME.contains(&known.name) || WITHOUT_FIELD.contains(&known.name);
+            assert!(english != french || is_same, "{} @{}: {english}", rule.name, known.name);
+        }
+    }
+}
+
 #[test]
 fn every_attribute_of_every_kind_is_edited() {
     let mut window = Window::new(everything(), Lang::English);
