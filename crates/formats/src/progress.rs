@@ -32,7 +32,7 @@ struct State {
 
 impl Progress {
     /// What is being done with the file that is read just now, and how much of it is done, 0 to 1; `None` while that is
-    /// not known. It begins again with each stage and with each file that a document names.
+    /// not known. It begins again with each stage, and for each file that a document names.
     pub fn now(&self) -> (Stage, Option<f64>) {
         let State { content, done, all } = &*self.0;
         let stage = if content.load(Ordering::Relaxed) { Stage::Content } else { Stage::Bytes };
@@ -71,6 +71,21 @@ pub(crate) fn begin(stage: Stage, bytes: u64) {
     });
 }
 
+/// Reads a file that another one names; then the other one goes on where it was.
+pub(crate) fn aside<T>(reading: impl FnOnce() -> T) -> T {
+    let mut before = (false, 0, 0);
+    tell(|State { content, done, all }| {
+        before = (content.load(Ordering::Relaxed), done.load(Ordering::Relaxed), all.load(Ordering::Relaxed));
+    });
+    let read = reading();
+    tell(|State { content, done, all }| {
+        content.store(before.0, Ordering::Relaxed);
+        done.store(before.1, Ordering::Relaxed);
+        all.store(before.2, Ordering::Relaxed);
+    });
+    read
+}
+
 /// The stage has come to this byte of the file.
 pub(crate) fn at(byte: u64) {
     tell(|state| state.done.store(byte, Ordering::Relaxed));
@@ -100,7 +115,10 @@ mod tests {
             now_and_then(EVERY + 1, || 100);
             assert_eq!(progress.now(), (Stage::Bytes, Some(0.25)), "not now");
             begin(Stage::Content, 100);
-            now_and_then(2 * EVERY, || 100);
+            now_and_then(2 * EVERY, || 60);
+            aside(|| begin(Stage::Bytes, 7));
+            assert_eq!(progress.now(), (Stage::Content, Some(0.6)), "the file goes on that named the other");
+            now_and_then(3 * EVERY, || 100);
         });
         at(10);
         assert_eq!(progress.clone().now(), (Stage::Content, Some(1.0)));

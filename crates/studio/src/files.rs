@@ -10,7 +10,7 @@ use crate::report::Report;
 use crate::theme::Palette;
 use crate::toasts::Toast;
 use crate::writing::{What, Writing, Written};
-use crate::{FileAction, Tab, told};
+use crate::{Action, FileAction, Tab, ViewAction, told};
 use lancer_document::open::{Content, MESH_EXTENSIONS, OnDisk, OpenError, ViewsFile, Warnings, views_beside};
 use lancer_document::{Document, StepName};
 use lancer_formats::load::LoadOptions;
@@ -76,7 +76,7 @@ impl Studio {
         if let Some(read) = read
             && let Some(reading) = self.model.files.reading.take()
         {
-            self.take_read(&reading, read);
+            self.take_read(ctx, &reading, read);
             self.read_next(ctx);
         }
         self.take_written(ctx);
@@ -214,7 +214,7 @@ impl Studio {
     }
 
     /// Takes a file that was read.
-    fn take_read(&mut self, reading: &Reading, read: Read) {
+    fn take_read(&mut self, ctx: &egui::Context, reading: &Reading, read: Read) {
         let content = match read.content {
             Ok(content) => content,
             Err(error) => return self.take_failure(&reading.path, error),
@@ -253,11 +253,19 @@ impl Studio {
                 }
             }
             Content::Mesh(mesh) => {
+                let by_itself = matches!(reading.purpose, Purpose::Open(_));
+                if by_itself {
+                    // one that the program is started with is no part of the first scene
+                    self.begin_new();
+                }
                 self.model.reports = vec![report(&mesh.warnings)];
                 let item = self.model.document.new_mesh(mesh);
                 if let Err(error) = self.add(item) {
                     let lang = self.model.lang;
                     self.toasts.say(Toast::failed(words::refused(lang, told::edit(&error, lang))));
+                } else if by_itself && let Some(view) = self.model.document.stage().views.first() {
+                    let name = view.name.clone();
+                    self.perform(ctx, Action::View(name, ViewAction::Frame));
                 }
             }
         }
