@@ -300,14 +300,14 @@ fn files_dropped_on_the_window_open() {
 fn a_broken_file_opens_the_problems_and_the_scene_stays() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.xml");
-    write(&path, "<scene version=\"1\">\n  <ball radius=\"1\"/>\n</scene>\n");
+    write(&path, "<scene version=\"1\">\n  <ball radius=\"1\"/>\n  <world dept=\"3\"/>\n</scene>\n");
     let mut window = Window::opening(stage(), Lang::English, vec![path]);
     window.until("the message", |studio| studio.toasts().iter().any(|toast| toast.mood == Mood::Failed));
     window.settle();
     assert!(window.object("red").is_some());
     assert!(window.harness.query_by_label("Problems").is_some());
     let text = text_of(&window).join("\n");
-    assert!(text.contains("ball"), "{text}");
+    assert!(text.contains("ball") && text.contains("did you mean `depth`? · its attributes"), "{text}");
 }
 
 #[test]
