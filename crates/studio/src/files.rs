@@ -83,9 +83,9 @@ impl Studio {
         if let Some(weighed) = self.model.files.weighing.as_ref().and_then(Weighing::poll) {
             self.model.files.weighing = None;
             if weighed.losses.is_empty() {
-                self.ask(Question::Export(weighed.what, Box::new(weighed.content)));
+                self.ask(Question::Export(weighed.what, weighed.content));
             } else {
-                self.modal = Some(Modal::Losses(weighed));
+                self.modal = Some(Modal::Losses(Box::new(weighed)));
             }
         }
     }

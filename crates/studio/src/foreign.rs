@@ -12,7 +12,6 @@ use std::sync::mpsc::{Receiver, channel};
 
 /// The state of the document that is exported: as much of it as the format asks for.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 pub(crate) enum Foreign {
     /// A scene of 2009.
     Scene2009(Scene),
@@ -81,7 +80,7 @@ impl Foreign {
 #[derive(Debug)]
 pub(crate) struct Losses {
     pub(crate) what: Exported,
-    pub(crate) content: Foreign,
+    pub(crate) content: Box<Foreign>,
     pub(crate) losses: Vec<Problem>,
 }
 
@@ -97,7 +96,7 @@ impl Weighing {
         std::thread::spawn(move || {
             let losses = content.losses();
             // a window that is gone exports nothing
-            let _ = result.send(Losses { what, content, losses });
+            let _ = result.send(Losses { what, content: Box::new(content), losses });
             ctx.request_repaint_of(egui::ViewportId::ROOT);
         });
         Weighing(found)

@@ -27,7 +27,7 @@ pub(crate) enum Modal {
     /// What the program is.
     About,
     /// What a format cannot hold of what is exported to it.
-    Losses(Losses),
+    Losses(Box<Losses>),
     /// A program before this one has ended without saving: what it kept.
     Recover(Box<Kept>, LeftBehind),
 }
@@ -104,7 +104,7 @@ fn unsaved(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, after: A
 }
 
 /// Says what an export loses, and asks whether it is made.
-fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, losses: Losses) {
+fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, losses: Box<Losses>) {
     let lang = studio.model.lang;
     let mut answer = None;
     let modal = modal(ctx, "losses").show(ctx, |ui| {
@@ -133,7 +133,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
         });
     });
     match answer.or_else(|| modal.should_close().then_some(false)) {
-        Some(true) => studio.ask(Question::Export(losses.what, Box::new(losses.content))),
+        Some(true) => studio.ask(Question::Export(losses.what, losses.content)),
         Some(false) => {}
         None => studio.modal = Some(Modal::Losses(losses)),
     }
