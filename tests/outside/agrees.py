@@ -35,7 +35,7 @@ SCENES = [  # scene, view (None: the first), size; together they use every part 
     ("teaching/laws", None, (160, 67)),                     # constant, schlick, grazing
     ("teaching/depth", "depth 2", (120, 90)),               # the view's depth instead of the world's
 ]
-EDGES = 0.01
+EDGES = 0.001
 SHOWN = 5
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenes")
 

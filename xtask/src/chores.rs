@@ -66,6 +66,7 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
     }
     cargo(root, &["test", "--workspace", "--quiet"], &[])?;
     if succeeds(PYTHON.probe) {
+        run(root, Command::new("/usr/bin/python3").arg("tests/outside/laws.py"))?;
         cargo(root, &["build", "--package", "lancer"], &[])?;
         let lancer = root.join("target/debug/lancer");
         run(root, Command::new("/usr/bin/python3").arg("tests/outside/agrees.py").arg(lancer))?;

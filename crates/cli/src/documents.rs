@@ -25,8 +25,9 @@ pub(crate) struct Stage {
 /// Reads a scene and views. What is wrong with either is told.
 ///
 /// # Errors
-/// A file that cannot be read; a document with errors.
+/// Both from standard input; a file that cannot be read; a document with errors.
 pub(crate) fn stage(scene: &Path, views: &Path, options: &LoadOptions, console: &Console) -> Result<Stage, Failure> {
+    read_once(scene, views)?;
     let read_scene = load::load_scene(scene, options).map_err(Failure::Load);
     let scene = read_scene.and_then(|loaded| legal(scene, loaded, Content::Scene, console));
     let read_views = load::load_views(views, options).map_err(Failure::Load);
@@ -38,6 +39,14 @@ pub(crate) fn stage(scene: &Path, views: &Path, options: &LoadOptions, console: 
         (Err(failure), Ok(_)) | (Ok(_), Err(failure)) => Err(failure),
         (Err(first), Err(second)) => Err(Failure::Told(console.fail(&first).max(console.fail(&second)))),
     }
+}
+
+/// Two files that are not both standard input.
+///
+/// # Errors
+/// [`Failure::StdinTwice`].
+pub(crate) fn read_once(first: &Path, second: &Path) -> Result<(), Failure> {
+    if [first, second].iter().all(|path| *path == Path::new(STANDARD)) { Err(Failure::StdinTwice) } else { Ok(()) }
 }
 
 /// The value of what was loaded, and its document. What was found is told.

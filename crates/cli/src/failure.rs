@@ -13,7 +13,7 @@ use lancer_scene::{Invalid, Name, View};
 use lancer_trace::Simd;
 use lancer_words::Lang;
 use lancer_words::cli::{self as words, usage};
-use lancer_words::{engine, export};
+use lancer_words::{engine, export, number};
 use std::path::PathBuf;
 
 /// Why the program ends early.
@@ -40,6 +40,8 @@ pub(crate) enum Failure {
     UnknownExtension(UnknownExtension),
     /// Several pictures cannot go to standard output.
     AllViewsToStdout,
+    /// Two files cannot both come from standard input.
+    StdinTwice,
     /// A picture was asked for, but the input is a document.
     NeedsRendering {
         /// The picture.
@@ -187,6 +189,7 @@ impl Failure {
             Failure::Simd(_)
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
+            | Failure::StdinTwice
             | Failure::ObjToStdout
             | Failure::BadFamilySize { .. }
             | Failure::UnknownForm { .. } => Exit::Usage,
@@ -222,6 +225,7 @@ impl Failure {
             Failure::AdaptiveOfOne { view } => words::adaptive_of_one(lang, view),
             Failure::UnknownExtension(error) => error.message(lang),
             Failure::AllViewsToStdout => usage::all_views_to_stdout(lang),
+            Failure::StdinTwice => usage::stdin_twice(lang),
             Failure::NeedsRendering { path } => words::convert_needs_rendering(lang, path.display()),
             Failure::UnknownForm { path } => words::convert_unknown(lang, path.display()),
             Failure::ViewsAsBinary => words::convert_views_binary(lang),
@@ -244,7 +248,8 @@ impl Failure {
                 words::same_output(lang, first, second, path.display())
             }
             Failure::Pixel { view, x, y, fault: PixelFault::Budget { limit } } => {
-                words::budget(lang, view, x, y, limit)
+                let rays = number::rays(lang, usize::try_from(*limit).unwrap_or(usize::MAX));
+                words::budget(lang, view, x, y, rays)
             }
             Failure::Pixel { view, x, y, fault: PixelFault::NotFinite } => words::not_finite(lang, view, x, y),
             Failure::Memory { width, height } => words::no_memory(lang, width, height),
@@ -262,6 +267,7 @@ impl Failure {
             | Failure::Signals(_)
             | Failure::UnknownExtension(_)
             | Failure::AllViewsToStdout
+            | Failure::StdinTwice
             | Failure::ObjToStdout
             | Failure::BadFamilySize { .. }
             | Failure::NoView { .. } => None,

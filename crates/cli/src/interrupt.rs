@@ -6,27 +6,25 @@
 
 use crate::Exit;
 use lancer_trace::Cancel;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
-/// How long the program may take to end by itself: together with the signal's way, less than 100 ms.
-const GRACE: Duration = Duration::from_millis(80);
+/// How long the program may take to end by itself: together with the signal's way, and with the time that the system
+/// takes to clear some hundreds of megabytes away, less than 100 ms.
+const GRACE: Duration = Duration::from_millis(20);
 
 /// How long it may take while a file is being written, so that nothing half-written stays behind.
 const GRACE_WHILE_WRITING: Duration = Duration::from_secs(2);
 
-/// Raised while a temporary file exists.
+/// Held while a temporary file exists, and by the end of the program: none is begun any more then.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Writing(Arc<AtomicBool>);
+pub(crate) struct Writing(Arc<Mutex<()>>);
 
 impl Writing {
     /// Does something that leaves a temporary file behind if it is cut short.
     pub(crate) fn guard<T>(&self, write: impl FnOnce() -> T) -> T {
-        self.0.store(true, Ordering::SeqCst);
-        let outcome = write();
-        self.0.store(false, Ordering::SeqCst);
-        outcome
+        let _held = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        write()
     }
 }
 
@@ -40,8 +38,14 @@ pub(crate) fn install() -> Result<(Cancel, Writing), ctrlc::Error> {
     ctrlc::set_handler(move || {
         let asked = Instant::now();
         flags.0.cancel();
-        while asked.elapsed() < GRACE || (flags.1.0.load(Ordering::SeqCst) && asked.elapsed() < GRACE_WHILE_WRITING) {
-            std::thread::sleep(Duration::from_millis(2));
+        let pause = || std::thread::sleep(Duration::from_millis(2));
+        while asked.elapsed() < GRACE {
+            pause();
+        }
+        let mut held = flags.1.0.try_lock();
+        while matches!(held, Err(TryLockError::WouldBlock)) && asked.elapsed() < GRACE_WHILE_WRITING {
+            pause();
+            held = flags.1.0.try_lock();
         }
         #[allow(clippy::exit, reason = "the main thread does not answer")]
         std::process::exit(Exit::Interrupted as i32);

@@ -13,6 +13,7 @@ mod flags;
 mod form;
 mod interrupt;
 mod language;
+mod mistyped;
 mod progress;
 pub mod report;
 mod stats;
@@ -36,7 +37,7 @@ pub(crate) struct Context {
     pub(crate) console: Console,
     /// Raised when the program is asked to stop.
     pub(crate) cancel: Cancel,
-    /// Raised while a temporary file exists.
+    /// Held while a temporary file exists.
     pub(crate) writing: Writing,
 }
 
@@ -48,15 +49,19 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(flags) => flags,
         Err(error) => return console.fail(&Failure::Signals(error.to_string())).into(),
     };
-    let matches = match command::command(lang).try_get_matches_from(args) {
-        Ok(matches) => matches,
-        Err(error) => return usage::answer(&error, &console).into(),
+    let command = command::command(lang);
+    let meant = mistyped::meant(&args, command.get_subcommands().map(clap::Command::get_name)).map(str::to_owned);
+    let exit = match command.try_get_matches_from(args) {
+        Err(error) => usage::answer(&error, &console),
+        Ok(matches) => {
+            let context = Context { console, cancel, writing };
+            dispatch(&matches, &context).unwrap_or_else(|failure| console.fail(&failure))
+        }
     };
-    let context = Context { console, cancel, writing };
-    match dispatch(&matches, &context) {
-        Ok(exit) => exit.into(),
-        Err(failure) => console.fail(&failure).into(),
+    if let Some(command) = meant.filter(|_| exit != Exit::Done && exit != Exit::Interrupted) {
+        console.tell(&usage::meant(lang, &command));
     }
+    exit.into()
 }
 
 /// Runs the command that the arguments name.

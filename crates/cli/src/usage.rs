@@ -38,6 +38,11 @@ pub(crate) fn answer(error: &clap::Error, console: &Console) -> Exit {
     }
 }
 
+/// The command that may have been meant by what was taken for a scene.
+pub(crate) fn meant(lang: Lang, command: &str) -> String {
+    format!("  {} {}\n", words::help_prefix(lang), words::meant_command(lang, command))
+}
+
 /// Whether a positional argument too many was found: the parser then takes it for a command that does not go with the
 /// others.
 fn is_one_too_many(error: &clap::Error) -> bool {

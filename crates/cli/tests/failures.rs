@@ -39,6 +39,48 @@ fn an_unknown_view_names_the_others() {
     );
 }
 
+/// A mistyped command is read as a scene; the complaint about it says so.
+#[test]
+fn a_mistyped_command_is_recognised() {
+    let missing = "error: `shwo` cannot be read: there is no such file\n  help: check the name and the folder\n";
+    let meant = "  help: did you mean the command `show`? What stands there is taken for the name of a scene\n";
+    let (code, said) = failure(&["shwo", "view.xml"]);
+    assert_eq!((code, said), (3, format!("{missing}{meant}")));
+    let (code, said) = failure(&["expalin", "scene.xml", "view.xml", "1", "2", "--lang", "fr"]);
+    assert_eq!(code, 2);
+    assert!(
+        said.ends_with("aide : vouliez-vous la commande « explain » ? Ce mot est pris pour le nom d'une scène\n"),
+        "{said}"
+    );
+    // a scene that is there is a scene, whatever its name
+    let folder = folder();
+    fs::copy(folder.path().join("scene.xml"), folder.path().join("shwo")).unwrap();
+    assert_eq!(run(folder.path(), &["shwo", "view.xml", "-", "--size", "1x1", "--quiet"]).0, 0);
+}
+
+/// Standard input has one end.
+#[test]
+fn two_files_cannot_both_be_standard_input() {
+    let due = "error: `-` is standard input, which can be read only once: name a file for one of the two\n";
+    for args in [&["-", "-"][..], &["explain", "-", "-", "1", "1"], &["diff", "-", "-"]] {
+        assert_eq!(failure(args), told(2, due), "{args:?}");
+    }
+}
+
+/// A number below 0 is a wrong value, no unknown option.
+#[test]
+fn a_negative_column_is_a_wrong_value() {
+    let (code, said) = failure(&["explain", "scene.xml", "view.xml", "-1", "5"]);
+    assert!(code == 2 && said.starts_with("error: invalid value '-1' for '<X>': a whole number from 0 to"), "{said}");
+}
+
+/// One ray is one ray.
+#[test]
+fn a_budget_of_one_ray_is_told_in_the_singular() {
+    let (code, said) = failure(&["scene.xml", "view.xml", "--max-rays", "1", "--quiet"]);
+    assert!(code == 1 && said.contains("needs more than 1 ray\n"), "{said}");
+}
+
 #[test]
 fn of_many_views_the_nearest_names_are_told() {
     let folder = folder();

@@ -93,6 +93,41 @@ fn completions_and_manual_pages_are_there() {
     assert!(page.contains(".SH NOM"), "{page}");
 }
 
+/// A command is the first word in zsh, and what follows a scene are files and options. The generator has it otherwise:
+/// should it change, this says whether what is done about it still takes hold.
+#[test]
+fn zsh_is_offered_commands_first_and_options_behind_a_scene() {
+    let (_, script, _) = run(folder().path(), &["completions", "zsh"]);
+    assert!(script.contains("\":: :{_alternative 'commands::_lancer_commands' 'files::_files'}\""), "{script}");
+    assert!(script.contains("case $line[1] in") && !script.contains("$line[4]"), "{script}");
+    let behind = script.split_once("\n(*)\n").unwrap().1;
+    assert!(behind.contains("'--view=[") && behind.contains("'*:file:_files'"), "{behind}");
+}
+
+/// What fish itself completes, where it is installed.
+#[test]
+fn fish_completes_commands_options_and_values() {
+    let folder = folder();
+    let (_, script, _) = run(folder.path(), &["completions", "fish"]);
+    std::fs::write(folder.path().join("lancer.fish"), script).unwrap();
+    for (typed, due) in [
+        ("lancer expl", "explain"),
+        ("lancer scene.xml view.xml --vi", "--view"),
+        ("lancer --engine re", "reference"),
+        ("lancer completions fi", "fish"),
+        ("lancer diff --to", "--tolerance"),
+    ] {
+        let asked = format!("source lancer.fish; complete -C '{typed}'");
+        match std::process::Command::new("fish").args(["-N", "-c", &asked]).current_dir(folder.path()).output() {
+            Ok(output) => {
+                let offered = String::from_utf8(output.stdout).unwrap();
+                assert!(offered.lines().any(|line| line.split('\t').next() == Some(due)), "{typed}: {offered}");
+            }
+            Err(error) => return println!("left out: fish is not there ({error})"),
+        }
+    }
+}
+
 #[test]
 fn the_version_is_told() {
     assert_eq!(

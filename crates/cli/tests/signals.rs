@@ -39,7 +39,7 @@ fn ctrl_c_and_termination_stop_within_100_ms_and_leave_nothing() {
         let status = child.wait().unwrap();
         let waited = asked.elapsed();
         assert_eq!(status.code(), Some(130), "{name}");
-        // the grace of the program is 80 ms; the rest is for a busy machine
+        // the grace of the program is 20 ms; the rest is for a busy machine
         assert!(waited < Duration::from_millis(200), "{name}: {waited:?}");
         assert_eq!(listing(folder.path()), before, "{name}");
         let mut said = String::new();
@@ -61,6 +61,30 @@ fn ctrl_c_ends_a_program_that_waits_for_a_reader() {
     signal(&child, "INT");
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(asked.elapsed() < Duration::from_millis(200), "{:?}", asked.elapsed());
+}
+
+/// The program waits for a scene on standard input that never comes.
+#[test]
+fn ctrl_c_ends_a_program_that_waits_for_its_input() {
+    let folder = folder();
+    let before = listing(folder.path());
+    let mut child = Command::new(program())
+        .args(["-", "view.xml", "out.ppm"])
+        .current_dir(folder.path())
+        .stdin(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(400));
+    assert!(child.try_wait().unwrap().is_none(), "the input is still open");
+    let asked = Instant::now();
+    signal(&child, "INT");
+    // `wait` would close the input
+    while child.try_wait().unwrap().is_none() && asked.elapsed() < Duration::from_secs(5) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert!(asked.elapsed() < Duration::from_millis(200), "{:?}", asked.elapsed());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(listing(folder.path()), before);
 }
 
 #[test]

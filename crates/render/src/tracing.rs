@@ -66,23 +66,24 @@ pub(crate) struct PixelTracer<W> {
 
 #[derive(Clone, Debug)]
 enum Kind<W> {
-    Engine {
-        /// Whose pixels may cost no more than [`TOGETHER`].
-        engine: Engine<W>,
-        /// Whose pixels may cost as much as the settings say, where that is more.
-        patient: Option<Box<Engine<W>>>,
-    },
+    /// One for each of [`STAGES`], up to the one that allows as many rays as the settings do.
+    Engine(Vec<Stage<W>>),
     Reference(Tracer<W>),
 }
 
-/// How many rays each pixel of a block may cost while the whole block is traced together.
-///
-/// The rays of a block go down together, so where no pixel ever ends, all of them would cost their budgets before the
-/// first is known to exceed it. A block with a pixel that costs more than this is traced again packet by packet.
-const TOGETHER: u64 = 1 << 16;
+/// An engine, and how many pixels it is given together.
+#[derive(Clone, Debug)]
+struct Stage<W> {
+    together: usize,
+    engine: Engine<W>,
+}
 
-/// The pixels of a packet.
-const PACKET: usize = 8;
+/// How many pixels are traced together, and how many rays each of them may cost then.
+///
+/// Rays that are traced together go down together, so where no pixel ever ends, all of them would cost their budgets
+/// before the first is known to exceed it, and where their ways part, each costs as much time as if it were alone. So
+/// pixels of which one costs too much are traced again fewer at a time: a block, a packet, one by one.
+const STAGES: [(usize, u64); 3] = [(BLOCK, 1 << 14), (8, 1 << 17), (1, u64::MAX)];
 
 impl<W: Borrow<World> + Clone> PixelTracer<W> {
     /// How much stack a thread needs to follow rays down to the greatest depth.
@@ -97,12 +98,13 @@ impl<W: Borrow<World> + Clone> PixelTracer<W> {
     ) -> PixelTracer<W> {
         let kind = match tracing {
             Tracing::Engine(simd) => {
-                let engine = |max_rays| {
-                    let settings = Settings { max_rays, ..settings };
-                    Engine::new(world.clone(), camera, settings, cancel, simd)
+                let enough = STAGES.iter().position(|(_, rays)| *rays >= settings.max_rays).unwrap_or(STAGES.len() - 1);
+                let engine = Engine::new(world, camera, settings, cancel, simd);
+                let stage = |&(together, rays): &(usize, u64)| Stage {
+                    together,
+                    engine: engine.clone().with_budget(settings.max_rays.min(rays)),
                 };
-                let patient = (settings.max_rays > TOGETHER).then(|| Box::new(engine(settings.max_rays)));
-                Kind::Engine { engine: engine(settings.max_rays.min(TOGETHER)), patient }
+                Kind::Engine(STAGES[..=enough].iter().map(stage).collect())
             }
             Tracing::Reference => Kind::Reference(Tracer::new(world, camera, settings, cancel)),
         };
@@ -126,41 +128,44 @@ impl<W: Borrow<World> + Clone> PixelTracer<W> {
             finished.then(|| pixels.iter().zip(colors).for_each(|(&pixel, &color)| take(pixel, color)))
         };
         let wanted = |pixels: &[(u32, u32)]| (!self.cancel.is_cancelled()).then(|| wanted(pixels));
-        let mut colors = Vec::new();
         match &self.kind {
-            Kind::Engine { engine, patient } => {
-                for block in pixels.chunks(BLOCK) {
-                    if !wanted(block)? {
-                        continue;
-                    }
-                    let mut cost = RayCounts::default();
-                    engine.pixels(block, &mut colors, &mut cost);
-                    let spent = colors.iter().any(|color| matches!(color, Err(TraceError::Budget { .. })));
-                    let Some(patient) = patient.as_ref().filter(|_| spent) else {
-                        *counts += cost;
-                        take(block, &colors)?;
-                        continue;
-                    };
-                    for packet in block.chunks(PACKET) {
-                        if wanted(packet)? {
-                            patient.pixels(packet, &mut colors, counts);
-                            take(packet, &colors)?;
-                        }
-                    }
-                }
-            }
+            Kind::Engine(stages) => descend(stages, pixels, counts, &wanted, &mut take),
             Kind::Reference(tracer) => {
-                for pixel in pixels.chunks(1) {
-                    if wanted(pixel)? {
-                        colors.clear();
-                        colors.extend(pixel.iter().map(|&(x, y)| tracer.pixel(x, y, counts)));
-                        take(pixel, &colors)?;
+                for &(x, y) in pixels {
+                    if wanted(&[(x, y)])? {
+                        take(&[(x, y)], &[tracer.pixel(x, y, counts)])?;
                     }
                 }
+                Some(())
             }
         }
-        Some(())
     }
+}
+
+/// Traces pixels as many at a time as the first stage says, and those that cost too much for it by the next ones.
+fn descend<W: Borrow<World>>(
+    stages: &[Stage<W>],
+    pixels: &[(u32, u32)],
+    counts: &mut RayCounts,
+    wanted: &impl Fn(&[(u32, u32)]) -> Option<bool>,
+    take: &mut impl FnMut(&[(u32, u32)], &[Result<Color, TraceError>]) -> Option<()>,
+) -> Option<()> {
+    let [Stage { together, engine }, later @ ..] = stages else { return Some(()) };
+    let mut colors = Vec::new();
+    for group in pixels.chunks(*together) {
+        if !wanted(group)? {
+            continue;
+        }
+        let mut cost = RayCounts::default();
+        engine.pixels(group, &mut colors, &mut cost);
+        if !later.is_empty() && colors.iter().any(|color| matches!(color, Err(TraceError::Budget { .. }))) {
+            descend(later, group, counts, wanted, take)?;
+        } else {
+            *counts += cost;
+            take(group, &colors)?;
+        }
+    }
+    Some(())
 }
 
 #[cfg(test)]

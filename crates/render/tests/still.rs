@@ -263,7 +263,7 @@ fn a_costly_pixel_beside_an_adaptive_region_is_taken_for_different() {
 #[test]
 fn expensive_pixels_have_the_references_colour_and_rays() {
     let mut scene = costly_corner();
-    scene.world.depth = 18;
+    scene.world.depth = 19;
     let options = |tracing| RenderOptions {
         tracing,
         max_rays: Some(u64::MAX),
@@ -272,7 +272,8 @@ fn expensive_pixels_have_the_references_colour_and_rays() {
     };
     let still = |tracing| render(&scene, &view(90, 60), &options(tracing)).unwrap();
     let reference = still(Tracing::Reference);
-    assert!(reference.counts.total() > 2 * 65_536, "{:?}", reference.counts);
+    // more than a packet's pixels may, so each is traced alone at last
+    assert!(reference.counts.total() > 2 << 17, "{:?}", reference.counts);
     for tracing in tracings() {
         let still = still(tracing);
         assert_eq!((still.picture, still.counts), (reference.picture.clone(), reference.counts), "{tracing:?}");

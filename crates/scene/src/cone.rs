@@ -1,6 +1,38 @@
-//! Cones as facets, for whatever knows no round shapes: exports, outlines.
+//! What is to be known of cones beside their dimensions: which face a number stands for, how far they reach, and cones
+//! as facets for whatever knows no round shapes: exports, outlines.
 
 use glam::DVec3;
+
+/// A part of a cone's surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ConeFace {
+    /// The curved side.
+    Side,
+    /// The disc at the base.
+    Base,
+    /// The disc at the top.
+    Top,
+}
+
+impl ConeFace {
+    /// The number that stands for it where facets have their numbers.
+    pub const fn number(self) -> u32 {
+        match self {
+            ConeFace::Side => 0,
+            ConeFace::Base => 1,
+            ConeFace::Top => 2,
+        }
+    }
+
+    /// The face of a number; no other number stands for a face than those of [`ConeFace::number`].
+    pub const fn of(number: u32) -> ConeFace {
+        match number {
+            0 => ConeFace::Side,
+            1 => ConeFace::Base,
+            _ => ConeFace::Top,
+        }
+    }
+}
 
 /// The corners of a regular polygon around an axis, anticlockwise seen from where the axis points.
 pub fn circle(center: DVec3, axis: DVec3, radius: f64, corners: u32) -> Vec<DVec3> {

@@ -27,7 +27,7 @@ mod validity;
 mod view;
 
 pub use color::{Color, Rgb};
-pub use cone::{circle, circle_extent, cone_facets};
+pub use cone::{ConeFace, circle, circle_extent, cone_facets};
 pub use edit::{Edit, EditError, ListEdit};
 pub use environment::{Compose, Environment};
 pub use extents::Extents;

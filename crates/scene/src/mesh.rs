@@ -209,6 +209,22 @@ mod tests {
         }
     }
 
+    /// A facet of area 2 in the plane y = 0 and one of area ½ in x = 0 meet along an edge whose vertices each has for
+    /// itself: there the normals add up by area, 4 to 1.
+    #[test]
+    fn smooth_normals_are_sums_by_area_over_equal_positions() {
+        let mut pair = MeshGeometry {
+            positions: vec![DVec3::ZERO, DVec3::Z, DVec3::X * 4.0, DVec3::ZERO, DVec3::Y, DVec3::Z],
+            facets: vec![[0, 1, 2], [3, 4, 5]],
+            ..MeshGeometry::default()
+        };
+        let (up, aside, both) = (DVec3::Y * 4.0, DVec3::X, DVec3::new(1.0, 4.0, 0.0));
+        assert_eq!(*pair.smooth_normals(), [both, both, up, both, aside, both]);
+        // the file's own normals come first
+        pair.normals = vec![DVec3::Z; 6];
+        assert_eq!(*pair.smooth_normals(), [DVec3::Z; 6]);
+    }
+
     #[test]
     fn a_tetrahedron_is_closed() {
         assert_eq!(tetrahedron().enclosure(), Enclosure::Volume { inverted: false });

@@ -2,12 +2,12 @@
 //! after each (subject §2.5, §2.6), then the rays that it gives rise to. A ray that is folded is one line.
 
 use crate::explainer::Explanation;
-use lancer_scene::{Color, Compose, DVec3, Highlight, Object, Reflectance, Rgb, Shape};
-use lancer_trace::observe::{Composed, GlassPath, GlassTerm, LampLight, MirrorTerm, Omitted, RayNode, Seen, Term};
-use lancer_trace::observe::{RayTree, SurfaceNode};
-use lancer_trace::reference::intersect::ConeFace;
-use lancer_trace::reference::light::Lit;
+use lancer_formats::text::called;
+use lancer_scene::Rgb;
+use lancer_trace::explain::{Course, Entry, Factor, Part, RayNames, Way, account};
+use lancer_trace::observe::{LampLight, Omitted, RayNode, RayTree, Seen, SurfaceNode};
 use lancer_trace::{Channels, RayKind};
+use lancer_words::digits::{channel, length, triple, vector};
 use lancer_words::{Lang, explain as words};
 use std::collections::BTreeSet;
 
@@ -46,14 +46,8 @@ pub enum What {
 
 /// The lines of one sample; the rays in `open` are unfolded.
 pub fn lines(explanation: &Explanation, tree: &RayTree, open: &BTreeSet<usize>, lang: Lang) -> Vec<Line> {
-    let mut parents = vec![0; tree.nodes.len()];
-    for (number, node) in tree.nodes.iter().enumerate() {
-        for &child in &node.children {
-            parents[child] = number;
-        }
-    }
-    let mut teller =
-        Teller { explanation, tree, open, parents, lang, indent: 0, channels: Channels::ALL, lines: vec![] };
+    let names = RayNames::new(tree);
+    let mut teller = Teller { explanation, tree, open, names, lang, indent: 0, channels: Channels::ALL, lines: vec![] };
     teller.ray(0);
     teller.lines
 }
@@ -88,7 +82,7 @@ struct Teller<'a> {
     explanation: &'a Explanation,
     tree: &'a RayTree,
     open: &'a BTreeSet<usize>,
-    parents: Vec<usize>,
+    names: RayNames<'a>,
     lang: Lang,
     indent: usize,
     /// The channels of the ray that is told of.
@@ -110,9 +104,9 @@ impl<'a> Teller<'a> {
         [0, 1, 2].map(|index| if self.channels.contains(index) { channel(value[index]) } else { "–".to_owned() })
     }
 
-    fn values(&mut self, label: impl Into<String>, value: Rgb) {
+    fn values(&mut self, label: String, value: Rgb) {
         let cells = self.cells(value);
-        self.add(What::Values(label.into(), cells));
+        self.add(What::Values(label, cells));
     }
 
     /// A ray and what stands below it; the stack of a deep tree is bounded by the depth limit.
@@ -124,7 +118,7 @@ impl<'a> Teller<'a> {
         self.add(What::Ray { ray, open, heading, cells });
         self.indent += 1;
         if open {
-            let (origin, direction) = (vector(node.ray.origin), vector(node.ray.direction));
+            let (origin, direction) = (vector(node.ray.origin.to_array()), vector(node.ray.direction.to_array()));
             self.text(words::from_along(lang, origin, direction));
             match &node.seen {
                 Seen::Background(_) => self.text(words::meets_nothing(lang)),
@@ -141,25 +135,8 @@ impl<'a> Teller<'a> {
         self.channels = before;
     }
 
-    /// The ray's name as in figure 3 of the subject: `R1` is mirrored at the first surface, `T1·R2` where `T1` ends.
-    fn name(&self, ray: usize) -> String {
-        let (mut steps, mut ray) = (Vec::new(), ray);
-        while ray != 0 {
-            let Some(node) = self.tree.nodes.get(ray) else { break };
-            let letter = match node.kind {
-                RayKind::Primary => "",
-                RayKind::Reflected => "R",
-                RayKind::Refracted => "T",
-            };
-            steps.push(format!("{letter}{}", node.level));
-            ray = self.parents[ray];
-        }
-        steps.reverse();
-        steps.join("·")
-    }
-
     fn heading(&self, ray: usize, node: &RayNode) -> String {
-        let (lang, name) = (self.lang, self.name(ray));
+        let (lang, name) = (self.lang, self.names.of(ray));
         let what = match node.kind {
             RayKind::Primary => words::primary(lang),
             RayKind::Reflected => words::reflected(lang, name),
@@ -176,253 +153,104 @@ impl<'a> Teller<'a> {
     fn meeting(&mut self, node: &RayNode, surface: &SurfaceNode) {
         let lang = self.lang;
         let object = self.explanation.scene.objects.iter().find(|object| object.name == surface.object);
-        let side = match surface {
-            SurfaceNode { sheet: true, .. } => words::a_sheet(lang),
-            SurfaceNode { entering: true, .. } => words::from_outside(lang),
-            SurfaceNode { .. } => words::from_inside(lang),
-        };
+        let side = words::side_met(lang, surface.sheet, surface.entering);
         let called = object.map_or_else(|| surface.object.to_string(), |object| called(object, surface.facet, lang));
         let mut meets = vec![words::meets(lang, called, length(surface.distance)), side];
         if let Some(name) = object.and_then(|object| object.material.name()) {
             meets.push(words::material(lang, name));
         }
         let medium = node.media.last().map_or_else(|| words::surroundings(lang), |object| words::inside(lang, object));
-        meets.push(words::travels_in(lang, medium, triple(node.index)));
+        meets.push(words::travels_in(lang, medium, triple(node.index.to_array())));
         self.text(meets.join(", "));
-        let mut place = vec![
-            format!("P = {}", vector(surface.point)),
-            format!("N = {}", vector(surface.geometric_normal)),
-            words::incidence(lang, degrees(-node.ray.direction.dot(surface.geometric_normal))),
-        ];
-        if surface.normal != surface.geometric_normal {
-            place.push(words::smooth_normal(lang, vector(surface.normal)));
-        }
-        self.text(place.join(", "));
+        let normal = surface.geometric_normal;
+        let smooth = (surface.normal != normal).then(|| surface.normal.to_array());
+        let cos_i = -node.ray.direction.dot(normal);
+        self.text(words::place(lang, surface.point.to_array(), normal.to_array(), cos_i, smooth));
     }
 
     fn terms(&mut self, node: &RayNode, surface: &SurfaceNode) {
+        for entry in account(self.tree, node, surface, self.explanation.scene.world.compose) {
+            self.entry(node, entry);
+        }
+    }
+
+    fn entry(&mut self, node: &RayNode, entry: Entry<'_>) {
         let lang = self.lang;
-        let mut before = Rgb::BLACK;
-        for Composed { term, so_far } in &surface.terms {
-            match term {
-                Term::Ambient { ka, ia, .. } => {
-                    self.add(What::Term(words::ambient(lang)));
-                    self.values("Ka", *ka);
-                    self.values("× Ia", *ia);
-                    let cells = self.cells(*so_far);
-                    self.add(What::Sum("E = Ka·Ia".to_owned(), cells));
-                }
-                Term::Mirror(mirror) => {
-                    self.add(What::Term(words::mirror(lang)));
-                    self.mirror(node, mirror, *so_far);
-                }
-                Term::Glass(glass) => {
-                    self.add(What::Term(words::glass(lang)));
-                    self.glass(node, surface, glass, *so_far);
-                }
-                Term::Lamp { name, color, distance, light, .. } => {
-                    self.add(What::Term(words::lamp(lang, name, length(*distance))));
-                    self.lamp(surface, *color, light, (before, *so_far));
-                }
+        match entry {
+            Entry::Begin(part) => match part {
+                Part::Ambient => self.add(What::Term(words::ambient(lang))),
+                Part::Mirror => self.add(What::Term(words::mirror(lang))),
+                Part::Glass => self.add(What::Term(words::glass(lang))),
+                Part::Lamp { name, distance } => self.add(What::Term(words::lamp(lang, name, length(distance)))),
+                Part::Diffuse | Part::Highlight => {}
+            },
+            Entry::Omitted { part, why } => self.text(match why {
+                Omitted::NoCoefficient if part == Part::Mirror => words::no_mirror(lang),
+                Omitted::NoCoefficient => words::no_glass(lang),
+                Omitted::DepthReached => words::depth_reached(lang, node.level),
+                Omitted::StepLeftOut => words::step_left_out(lang),
+            }),
+            Entry::Way(way) => self.way(&way),
+            Entry::Lamp { light, cos_s } => self.text(match light {
+                LampLight::Lit(lit) => words::lights(lang, lit.cos_l, cos_s, lit.cos_s),
+                LampLight::Blocked { by, .. } => words::blocked(lang, by),
+                LampLight::Behind { cos_l } => words::behind(lang, channel(*cos_l)),
+                LampLight::AtPoint => words::at_point(lang),
+            }),
+            Entry::Value { sign, factor, value } => {
+                let what = self.factor(&factor);
+                self.values(signed(sign, &what), value);
             }
-            before = *so_far;
-        }
-    }
-
-    /// The running sum after a term; for `⊕` the term is clamped first.
-    fn sum(&mut self, what: &str, term: Color, so_far: Color) {
-        let sign = match self.explanation.scene.world.compose {
-            Compose::Add => "+",
-            Compose::Screen | Compose::ScreenEach => {
-                if term.clamp01() != term {
-                    self.values(words::clamped_term(self.lang), term.clamp01());
-                }
-                "⊕"
-            }
-        };
-        let cells = self.cells(so_far);
-        self.add(What::Sum(format!("E {sign} {what}"), cells));
-    }
-
-    fn mirror(&mut self, node: &RayNode, mirror: &MirrorTerm, so_far: Color) {
-        if let Some(omitted) = mirror.omitted {
-            return self.omitted(node, omitted, words::no_mirror(self.lang));
-        }
-        self.values("Kr", mirror.kr);
-        let along = self.seen_along(node, "Ir", |kind| kind == RayKind::Reflected);
-        self.values(format!("× {along}"), mirror.ir);
-        self.values("= Kr·Ir", mirror.value);
-        self.sum("Kr·Ir", mirror.value, so_far);
-    }
-
-    fn glass(&mut self, node: &RayNode, surface: &SurfaceNode, glass: &GlassTerm, so_far: Color) {
-        if let Some(omitted) = glass.omitted {
-            return self.omitted(node, omitted, words::no_glass(self.lang));
-        }
-        for path in &glass.paths {
-            let way = self.way(node, surface, path);
-            self.text(way);
-        }
-        self.values("Kt", glass.kt);
-        let total = glass.paths.iter().any(|path| path.total_reflection);
-        let along = self.seen_along(node, "It", |kind| kind == RayKind::Refracted || total);
-        self.values(format!("× {along}"), glass.it);
-        self.values("= Kt·It", glass.value);
-        self.sum("Kt·It", glass.value, so_far);
-    }
-
-    fn omitted(&mut self, node: &RayNode, omitted: Omitted, no_coefficient: String) {
-        let reason = match omitted {
-            Omitted::NoCoefficient => no_coefficient,
-            Omitted::DepthReached => words::depth_reached(self.lang, node.level),
-            Omitted::StepLeftOut => words::step_left_out(self.lang),
-        };
-        self.text(reason);
-    }
-
-    /// `Ir seen along R1`, with every ray of those kinds.
-    fn seen_along(&self, node: &RayNode, symbol: &str, serves: impl Fn(RayKind) -> bool) -> String {
-        let kind = |ray: &&usize| self.tree.nodes.get(**ray).is_some_and(|node| serves(node.kind));
-        let names: Vec<String> = node.children.iter().filter(kind).map(|ray| self.name(*ray)).collect();
-        words::seen_along(self.lang, symbol, names.join(", "))
-    }
-
-    /// A way that channels go through the surface, with its angles (subject §1.3: n·sin i = n'·sin r).
-    fn way(&self, node: &RayNode, surface: &SurfaceNode, path: &GlassPath) -> String {
-        let lang = self.lang;
-        let cos_i = -node.ray.direction.dot(surface.geometric_normal);
-        let GlassPath { channels, n, n_prime, total_reflection } = *path;
-        let told = if surface.sheet {
-            words::straight_on(lang)
-        } else if total_reflection {
-            let critical = (n_prime / n).clamp(0.0, 1.0).asin().cos();
-            words::total_reflection(lang, length(n), length(n_prime), degrees(cos_i), degrees(critical))
-        } else {
-            let sin_r = n / n_prime * (1.0 - cos_i * cos_i).max(0.0).sqrt();
-            let cos_r = (1.0 - sin_r * sin_r).max(0.0).sqrt();
-            words::refraction(lang, length(n), length(n_prime), degrees(cos_i), degrees(cos_r))
-        };
-        if channels.iter().eq(node.channels.iter()) {
-            return told;
-        }
-        let names = [words::red(lang), words::green(lang), words::blue(lang)];
-        let carried: Vec<&str> = channels.iter().map(|channel| names[channel].as_str()).collect();
-        format!("{} · {told}", words::carries(lang, carried.join(", ")))
-    }
-
-    fn lamp(&mut self, surface: &SurfaceNode, color: Color, light: &LampLight, (before, so_far): (Color, Color)) {
-        let lang = self.lang;
-        match light {
-            LampLight::Lit(lit) => {
-                let law = match surface.surface.highlight {
-                    Highlight::Phong => "R_L·V",
-                    Highlight::Blinn => "N·H",
+            Entry::Sum { sign, part, so_far } => {
+                let what = match part {
+                    Part::Ambient => "Ka·Ia".to_owned(),
+                    Part::Mirror => "Kr·Ir".to_owned(),
+                    Part::Glass => "Kt·It".to_owned(),
+                    Part::Lamp { .. } => words::lamp_term(lang),
+                    Part::Diffuse => words::diffuse(lang),
+                    Part::Highlight => words::highlight(lang),
                 };
-                let (cos_l, cos_s) = (lit.cos_l, lit.cos_s);
-                self.text(words::lit(lang, channel(cos_l), degrees(cos_l), law, channel(cos_s), degrees(cos_s)));
-                self.lit(surface, color, lit, (before, so_far));
+                let cells = self.cells(so_far);
+                self.add(What::Sum(format!("E {sign} {what}"), cells));
             }
-            LampLight::Blocked { by, .. } => self.text(words::blocked(lang, by)),
-            LampLight::Behind { cos_l } => self.text(words::behind(lang, channel(*cos_l))),
-            LampLight::AtPoint => self.text(words::at_point(lang)),
         }
     }
 
-    /// `(Kd·cos l + W(l)·cosⁿ s)·I_L`, factor by factor.
-    fn lit(&mut self, surface: &SurfaceNode, color: Color, lit: &Lit, (before, so_far): (Color, Color)) {
-        let (lang, surface) = (self.lang, &surface.surface);
-        let law = match surface.w {
-            Reflectance::Constant => "W = Ks",
-            Reflectance::Schlick => "W = Ks + (1-Ks)(1-cos l)⁵",
-            Reflectance::Grazing => "W = Ks·(1-cos l)",
+    fn factor(&self, factor: &Factor) -> String {
+        match factor {
+            Factor::Symbol(symbol) => (*symbol).to_owned(),
+            Factor::Power { n } => format!("cosⁿ s, n = {}", triple(n.to_array())),
+            Factor::Seen { symbol, rays } => {
+                let names: Vec<String> = rays.iter().map(|&ray| self.names.of(ray)).collect();
+                words::seen_along(self.lang, symbol, names.join(", "))
+            }
+            Factor::Clamped => words::clamped_term(self.lang),
+        }
+    }
+
+    fn way(&mut self, way: &Way) {
+        let lang = self.lang;
+        let told = match way.course {
+            Course::Straight => words::straight_on(lang),
+            Course::Bent { indices, cos_i, cos_r } => words::bent(lang, indices, cos_i, cos_r),
+            Course::Reflected { indices, cos_i, cos_critical } => words::not_bent(lang, indices, cos_i, cos_critical),
         };
-        let shine = surface.shininess.map(|n| if lit.cos_s == 0.0 { 0.0 } else { lit.cos_s.powf(n) });
-        self.values("Kd", surface.kd);
-        self.values("× cos l", Rgb::splat(lit.cos_l));
-        self.values(format!("+ {law}"), lit.w);
-        self.values(format!("× cosⁿ s, n = {}", triple(surface.shininess)), shine);
-        self.values("× I_L", color);
-        match self.explanation.scene.world.compose {
-            Compose::Screen | Compose::Add => {
-                let both = lit.diffuse + lit.highlight;
-                self.values("= (Kd·cos l + W·cosⁿ s)·I_L", both);
-                self.sum(&words::lamp_term(lang), both, so_far);
-            }
-            Compose::ScreenEach => {
-                self.values("= Kd·cos l·I_L", lit.diffuse);
-                self.sum(&words::diffuse(lang), lit.diffuse, before.screen(lit.diffuse.clamp01()));
-                self.values("= W·cosⁿ s·I_L", lit.highlight);
-                self.sum(&words::highlight(lang), lit.highlight, so_far);
-            }
-        }
+        let Some(channels) = way.channels else { return self.text(told) };
+        let names = words::channels(lang);
+        let carried: Vec<&str> = channels.iter().map(|channel| names[channel].as_str()).collect();
+        self.text(format!("{} · {told}", words::carries(lang, carried.join(", "))));
     }
 }
 
-/// An object by its shape and name, with the facet where there are several.
-fn called(object: &Object, facet: u32, lang: Lang) -> String {
-    match &object.shape {
-        Shape::Sphere { .. } => words::object(lang, words::sphere(lang), &object.name),
-        Shape::Plane { .. } => words::object(lang, words::plane(lang), &object.name),
-        Shape::Facet { .. } => words::object(lang, words::facet(lang), &object.name),
-        Shape::Cube { .. } => words::object_facet(lang, words::cube(lang), &object.name, facet),
-        Shape::Parallelepiped { .. } => words::object_facet(lang, words::parallelepiped(lang), &object.name, facet),
-        Shape::Cone { .. } => {
-            let face = match ConeFace::of(facet) {
-                ConeFace::Side => words::side(lang),
-                ConeFace::Base => words::base_cap(lang),
-                ConeFace::Top => words::top_cap(lang),
-            };
-            words::object_face(lang, words::cone(lang), &object.name, face)
-        }
-        Shape::Mesh(_) => words::object_facet(lang, words::mesh(lang), &object.name, facet),
-    }
-}
-
-/// A channel's value: five decimals, because a byte's step is 0.0039; a power of ten where they would all be 0.
-pub fn channel(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0.00000".to_owned(),
-        ..1e-12 => "≈ 0".to_owned(),
-        ..5e-6 => format!("{value:.1e}"),
-        _ => format!("{value:.5}"),
-    }
-}
-
-/// A length, an index or a coordinate: at most four decimals.
-fn length(value: f64) -> String {
-    decimals(value, 4)
-}
-
-/// An angle in degrees from its cosine: two decimals.
-fn degrees(cosine: f64) -> String {
-    decimals(cosine.clamp(-1.0, 1.0).acos().to_degrees(), 2)
-}
-
-/// A point or a direction.
-fn vector(value: DVec3) -> String {
-    let [x, y, z] = value.to_array().map(length);
-    format!("({x} {y} {z})")
-}
-
-/// One number for three equal ones, as in a document.
-fn triple(value: Rgb) -> String {
-    if value.is_uniform() { length(value.r) } else { value.to_array().map(length).join(" ") }
-}
-
-/// At most so many decimals, without zeros at the end; a power of ten where they would all be 0.
-fn decimals(value: f64, count: usize) -> String {
-    let smallest = 0.5 * 0.1_f64.powi(count.try_into().unwrap_or(i32::MAX));
-    if value != 0.0 && value.abs() < smallest {
-        return format!("{value:.2e}");
-    }
-    let text = format!("{:.count$}", value + 0.0);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+/// A label behind its sign, if it has one.
+fn signed(sign: &str, what: &str) -> String {
+    if sign.is_empty() { what.to_owned() } else { format!("{sign} {what}") }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lancer_scene::{List, PointLight, Scene, ScreenSpec, Steps, Surface, View};
+    use lancer_scene::{DVec3, List, Object, PointLight, Scene, ScreenSpec, Shape, Steps, Surface, View};
     use lancer_trace::{Camera, Cancel, Settings, World, explain};
     use std::sync::Arc;
 

@@ -9,7 +9,7 @@ use lancer_scene::Name;
 pub struct Picked {
     /// The object.
     pub object: Name,
-    /// The facet's number, 0 for a sphere and a plane, of a cone the number of its [face](crate::reference::intersect::ConeFace).
+    /// The facet's number, 0 for a sphere and a plane, of a cone the number of its [face](lancer_scene::ConeFace).
     pub facet: u32,
     /// The distance from the ray's start.
     pub distance: f64,

@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use glam::DVec3;
+use lancer_scene::ConeFace;
 use lancer_scene::{Object, Scene, Shape, cone_facets};
-use lancer_trace::reference::intersect::{Cone, ConeFace, Start, intersect_cone, intersect_facet};
+use lancer_trace::reference::intersect::{Cone, Start, intersect_cone, intersect_facet};
 use lancer_trace::{Caster, Ray, Simd, World};
 use proptest::prelude::*;
 

@@ -334,6 +334,61 @@ fn hills() -> impl Strategy<Value = Stage> {
     )
 }
 
+/// A crowd of bodies, so many that the hierarchy over them has several levels: balls, cones and tetrahedra, mirrors and
+/// glass, with lamps among and above them.
+fn crowd() -> impl Strategy<Value = Stage> {
+    let body = (point(2.0), 0.02..0.35_f64, 0..5_u32, point(1.0));
+    let lamps = prop::collection::vec(point(4.0), 1..3);
+    (prop::collection::vec(body, 80..240), lamps, point(3.0), -2.0..2.0_f64).prop_map(|(bodies, lamps, eye, size)| {
+        let size = 10_f64.powf(size);
+        let surface = |kr: f64, kt: f64| {
+            let index = Rgb::splat(1.0 + kt / 2.0);
+            Surface { kr: Rgb::splat(kr), kt: Rgb::splat(kt), index, ..Surface::default() }
+        };
+        let surfaces = [surface(0.5, 0.0), surface(0.1, 0.8)].map(Arc::new);
+        let objects = bodies.into_iter().enumerate().map(|(number, (at, radius, kind, towards))| {
+            let (center, radius) = (at * size, radius * size);
+            let shape = match kind {
+                0..=2 => Shape::Sphere { center, radius },
+                3 => {
+                    let top = center + towards * size;
+                    Shape::Cone { base: center, top, base_radius: radius, top_radius: radius / 2.0, capped: true }
+                }
+                _ => Shape::Cube { center, edge: radius, rotation: towards * 90.0 },
+            };
+            let material = MaterialRef::Inline(surfaces[number % 2].clone());
+            Object { material, ..Object::new(format!("body {number}"), shape) }
+        });
+        let lights = lamps.iter().enumerate().map(|(number, at)| PointLight::new(format!("lamp {number}"), *at * size));
+        let scene = Scene {
+            world: Environment { depth: 4, ..Environment::default() },
+            objects: objects.collect(),
+            lights: lights.collect(),
+            ..Scene::default()
+        };
+        Stage { scene, center: DVec3::ZERO, eye: eye * size }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, max_global_rejects: 20_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn many_bodies_are_the_references(stage in crowd()) {
+        let Some(picture) = Picture::new(&stage, DVec3::ZERO, 1, 100_000) else {
+            return Err(TestCaseError::reject("no legal scene or view"));
+        };
+        let (due, counts) = picture.reference();
+        for simd in available() {
+            let (colors, engine_counts) = picture.engine(simd, &pixels());
+            for ((color, due), place) in colors.iter().zip(&due).zip(pixels()) {
+                prop_assert_eq!(bits(color), bits(due), "{:?} {:?}", simd, place);
+            }
+            prop_assert_eq!(engine_counts, counts, "{:?}", simd);
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, max_global_rejects: 20_000, ..ProptestConfig::default() })]
 

@@ -62,9 +62,9 @@ phrases! {
         "dites combien avec --samples, par exemple --samples 4",
     }
     /// A pixel costs too many rays.
-    budget(view, x, y, limit) {
-        "pixel {x}, {y} of view `{view}` needs more than {limit} rays",
-        "le pixel {x}, {y} de la vue « {view} » demande plus de {limit} rayons",
+    budget(view, x, y, rays) {
+        "pixel {x}, {y} of view `{view}` needs more than {rays}",
+        "le pixel {x}, {y} de la vue « {view} » demande plus de {rays}",
     }
     /// What to do.
     budget_help() {

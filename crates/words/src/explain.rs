@@ -1,5 +1,8 @@
 //! The explanation of a pixel, in the terms of the course's subject.
 
+use crate::Lang;
+use crate::digits::{channel, degrees, length, vector};
+
 phrases! {
     // ---- the head -------------------------------------------------------------------------------------------------
 
@@ -212,4 +215,44 @@ phrases! {
         "The engine's bytes differ by {most} from those explained here. This is a fault of lancer; please report it with the scene and the view. Pictures have the engine's bytes; with --engine reference they have the others.",
         "Les octets du moteur diffèrent de {most} de ceux qui sont expliqués ici. C'est un défaut de lancer ; merci de le signaler avec la scène et la vue. Les images ont les octets du moteur ; avec --engine reference, elles ont les autres.",
     }
+}
+
+/// From which side a surface is met.
+pub fn side_met(lang: Lang, sheet: bool, entering: bool) -> String {
+    match (sheet, entering) {
+        (true, _) => a_sheet(lang),
+        (false, true) => from_outside(lang),
+        (false, false) => from_inside(lang),
+    }
+}
+
+/// Where a surface is met, and at which angle: the point, the normal, the cosine of the angle of incidence, and the
+/// smooth normal where it is another one.
+pub fn place(lang: Lang, point: [f64; 3], normal: [f64; 3], cos_i: f64, smooth: Option<[f64; 3]>) -> String {
+    let mut told = format!("P = {}, N = {}, {}", vector(point), vector(normal), incidence(lang, degrees(cos_i)));
+    if let Some(smooth) = smooth {
+        told += ", ";
+        told += &smooth_normal(lang, vector(smooth));
+    }
+    told
+}
+
+/// Refraction from the index `n` to `n'`, with the cosines of its two angles.
+pub fn bent(lang: Lang, [n, n_prime]: [f64; 2], cos_i: f64, cos_r: f64) -> String {
+    refraction(lang, length(n), length(n_prime), degrees(cos_i), degrees(cos_r))
+}
+
+/// Total reflection at the surface between the indices `n` and `n'`, with the cosines of incidence and critical angle.
+pub fn not_bent(lang: Lang, [n, n_prime]: [f64; 2], cos_i: f64, cos_critical: f64) -> String {
+    total_reflection(lang, length(n), length(n_prime), degrees(cos_i), degrees(cos_critical))
+}
+
+/// A lamp that lights the point: `cos l`, what `cos s` is, and `cos s`.
+pub fn lights(lang: Lang, cos_l: f64, law: &str, cos_s: f64) -> String {
+    lit(lang, channel(cos_l), degrees(cos_l), law, channel(cos_s), degrees(cos_s))
+}
+
+/// The names of the channels in their order.
+pub fn channels(lang: Lang) -> [String; 3] {
+    [red(lang), green(lang), blue(lang)]
 }

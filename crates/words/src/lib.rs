@@ -17,6 +17,7 @@ pub mod arithmetic;
 pub mod attribute;
 pub mod binary;
 pub mod cli;
+pub mod digits;
 pub mod engine;
 pub mod explain;
 pub mod export;

@@ -35,6 +35,7 @@ counts! {
     numbers: "number" "numbers", "nombre" "nombres";
     files: "file" "files", "fichier" "fichiers";
     threads: "thread" "threads", "fil d'exécution" "fils d'exécution";
+    rays: "ray" "rays", "rayon" "rayons";
     more_rays: "more ray" "more rays", "autre rayon" "autres rayons";
     pixels: "pixel" "pixels", "pixel" "pixels";
 }

@@ -30,8 +30,9 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         }
         None => None,
     };
-    let first = documents::picture(flags::path_of(matches, "a"), &console)?;
-    let second = documents::picture(flags::path_of(matches, "b"), &console)?;
+    let [a, b] = ["a", "b"].map(|name| flags::path_of(matches, name));
+    documents::read_once(a, b)?;
+    let (first, second) = (documents::picture(a, &console)?, documents::picture(b, &console)?);
     let tolerance = flags::number_of(matches, "tolerance").unwrap_or(0);
     let (difference, drawn) = match picture::compare(&first, &second, tolerance) {
         Ok(compared) => compared,

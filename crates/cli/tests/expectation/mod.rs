@@ -37,13 +37,20 @@ impl Expectation {
         for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
             let place = format!("{name}:{number}");
             match claim(line) {
-                _ if line.starts_with('#') => {}
+                _ if line.starts_with('#') => {
+                    if claim(line.trim_start_matches('#')).is_some() {
+                        problems.push(format!("{place}: `{line}` claims nothing while it is a comment"));
+                    }
+                }
                 Some(claim) => expectations.push(Expectation { place, claim }),
                 None => problems.push(format!("{place}: `{line}` is no expectation; see tests/scenes/README.md")),
             }
         }
         if !text.lines().any(|line| line.starts_with('#')) {
             problems.push(format!("{name}: no line says where the numbers come from"));
+        }
+        if expectations.is_empty() {
+            problems.push(format!("{name}: no line says what must hold"));
         }
         if problems.is_empty() { Ok(expectations) } else { Err(problems) }
     }

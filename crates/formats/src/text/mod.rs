@@ -4,6 +4,7 @@
 //! Everything is shown in document order, in the subject's terms, with aligned columns that fit 100 characters unless
 //! names or numbers are very long. A colour of three equal numbers is shown as one.
 
+mod called;
 mod materials;
 mod number;
 mod objects;
@@ -16,6 +17,7 @@ use number::shown;
 use table::{Cell, Table};
 use unicode_width::UnicodeWidthStr;
 
+pub use called::called;
 pub use views::describe_views;
 
 /// Lists are broken into lines of at most that many characters.

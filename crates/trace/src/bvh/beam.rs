@@ -4,45 +4,20 @@
 //! rays; what is left, box by box, against the intervals of all packets at once; where few packets are left, against
 //! their rays. All of it is f32 and conservative: a box that a ray can meet before its limit is never passed over.
 //!
-//! How far f32 may be off: an origin relative to the hierarchy's is off by 2⁻²⁴ of itself, and so are products and
-//! differences with the boxes' coordinates, so every box is taken wider by 2⁻²² of the greatest coordinate; inverse
-//! directions and quotients are off by a few 2⁻²⁴ of themselves, so the far end is taken longer by 2⁻²⁰.
+//! The bounds of errors are those of `shadow`.
 
-use super::{Bvh, Entry, MAX_DEPTH, Margin, Node, WIDTH};
-use crate::engine::lanes::{Lanes, Mask, Real, Single};
-use crate::engine::packet::PACKETS;
-use crate::engine::vector::{Vector, lanes, narrow};
+use super::shadow::{LONGER, Shadow};
+use super::{Bvh, Entry, MAX_DEPTH, Node, WIDTH};
+use crate::engine::lanes::{Lanes, Mask, Single};
+use crate::engine::packet::{PACKETS, PerPacket};
+use crate::engine::vector::lanes;
 use arrayvec::ArrayVec;
 
-/// 2⁻²² and 1 + 2⁻²⁰, see above.
-const WIDER: f32 = 1.0 / 4_194_304.0;
-pub(super) const LONGER: f32 = 1.0 + 1.0 / 1_048_576.0;
-/// A component of a direction is never less than this share of the greatest: its quotients stay finite. Within any
-/// distance that coordinates allow a ray turned by this much stays within the widening of the boxes.
-const FLAT: f32 = 1e-20;
 /// A level leaves at most seven open children behind.
 pub(super) const OPEN: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
 /// So many packets are asked ray by ray at every node.
 const FEW: u32 = 4;
-
-/// The f32 shadow of a packet's rays, relative to a hierarchy's origin.
-#[derive(Clone, Copy)]
-pub(crate) struct Shadow<L: Lanes> {
-    pub(crate) origin: [L::Single; 3],
-    pub(crate) direction: [L::Single; 3],
-    /// The greatest component of the direction times the sum of the greatest coordinates of start and hierarchy: what
-    /// errors of products grow with.
-    pub(crate) spread: L::Single,
-    pub(super) inverse: [L::Single; 3],
-    /// `(origin + w)/direction` and `(origin - w)/direction`, where `w` is what the boxes are wider by.
-    pub(super) above: [L::Single; 3],
-    pub(super) below: [L::Single; 3],
-    /// What the boxes are wider by: 2⁻²² of the greatest coordinates of start and hierarchy.
-    pub(crate) wider: L::Single,
-    /// The lanes that hold a ray.
-    pub(crate) mask: u8,
-}
 
 /// Where all rays of a packet start and how they go: least and greatest coordinates, widened, and inverse directions.
 #[derive(Clone, Copy, Debug)]
@@ -55,15 +30,23 @@ struct Interval {
 #[derive(Clone)]
 pub(crate) struct Beam<'b, L: Lanes> {
     bvh: &'b Bvh,
-    margin: Margin,
-    /// The greatest coordinate of the hierarchy, relative to its origin.
-    extent: f32,
-    pub(crate) packets: [Shadow<L>; PACKETS],
-    /// How many of them there are.
-    count: usize,
+    pub(crate) packets: PerPacket<Shadow<L>>,
+    /// Where all of them start, once it is known, if that is one point.
+    start: OneStart,
     /// How far each packet still looks; negative: no more.
     limits: [f32; PACKETS],
     intervals: Intervals,
+}
+
+/// Where all packets of a beam start.
+#[derive(Clone, Copy, Debug)]
+enum OneStart {
+    /// At several points.
+    None,
+    /// At one point that is not known yet.
+    Unknown,
+    /// There: its coordinates, widened.
+    At([[f32; 2]; 3]),
 }
 
 /// The packets that go down together, and those of them whose rays go both ways along some axis.
@@ -92,75 +75,32 @@ struct Open {
 }
 
 impl<'b, L: Lanes> Beam<'b, L> {
-    /// A beam without rays. The margin is that of f64: what a ray's hits can be off.
+    /// A beam without rays.
     #[inline(always)]
-    pub(crate) fn new(bvh: &'b Bvh, margin: Margin) -> Beam<'b, L> {
-        let zero = L::Single::splat(0.0);
-        let none = [zero; 3];
-        let nobody = Shadow {
-            origin: none,
-            direction: none,
-            spread: zero,
-            inverse: none,
-            above: none,
-            below: none,
-            wider: zero,
-            mask: 0,
-        };
-        Beam {
-            bvh,
-            margin,
-            extent: bvh.extent(),
-            packets: [nobody; PACKETS],
-            count: 0,
-            limits: [-1.0; PACKETS],
-            intervals: Intervals::EMPTY,
-        }
+    pub(crate) fn new(bvh: &'b Bvh, from_one_point: bool) -> Beam<'b, L> {
+        let start = if from_one_point { OneStart::Unknown } else { OneStart::None };
+        let (limits, intervals) = ([-1.0; PACKETS], Intervals::EMPTY);
+        Beam { bvh, packets: PerPacket::new(), start, limits, intervals }
     }
 
-    /// Adds a packet whose rays look as far as `limit`, in lengths of their directions. `start` is where they start in the
-    /// world, `origin` and `direction` are the rays in the hierarchy's space.
+    /// Adds a packet whose rays look as far as `limit`, in lengths of their directions. One without rays keeps a place.
     #[inline(always)]
-    pub(crate) fn push(
-        &mut self,
-        start: Vector<L::Real>,
-        (origin, direction): (Vector<L::Real>, Vector<L::Real>),
-        mask: u8,
-        limit: f32,
-    ) {
-        let margin = L::Real::splat(self.margin.fixed) + L::Real::splat(self.margin.per_origin) * start.greatest();
-        let origin = narrow::<L>(origin - Vector::splat(self.bvh.origin()));
-        let direction = narrow::<L>(direction);
-        let farthest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs());
-        // as if the coordinates were so great that their rounding is the margin
-        let coordinates = farthest + L::Single::splat(self.extent) + L::narrow(margin) * L::Single::splat(2.0 / WIDER);
-        let wider = coordinates * L::Single::splat(WIDER);
-        let greatest = direction[0].abs().max(direction[1].abs()).max(direction[2].abs());
-        let flat = greatest * L::Single::splat(FLAT);
-        let zero = L::Single::splat(0.0);
-        let (mut inverse, mut above, mut below) = ([zero; 3], [zero; 3], [zero; 3]);
-        for axis in 0..3 {
-            let along = direction[axis];
-            let size = along.abs().max(flat);
-            let along = L::Single::select(along.lt(zero), -size, size);
-            inverse[axis] = L::Single::splat(1.0) / along;
-            above[axis] = (origin[axis] + wider) * inverse[axis];
-            below[axis] = (origin[axis] - wider) * inverse[axis];
+    pub(crate) fn push(&mut self, rays: Shadow<L>, limit: f32) {
+        let place = self.packets.len() % PACKETS;
+        if rays.mask != 0 {
+            self.limits[place] = limit;
+            if self.bvh.nodes().len() > 1 {
+                let start = match self.start {
+                    OneStart::At(start) => start,
+                    OneStart::Unknown | OneStart::None => starts(&rays),
+                };
+                if let OneStart::Unknown = self.start {
+                    self.start = OneStart::At(start);
+                }
+                self.intervals.set(place, &Interval { start, inverse: inverses(&rays) });
+            }
         }
-        let place = self.count % PACKETS;
-        self.count += 1;
-        if self.bvh.nodes().len() > 1 {
-            self.intervals.set(place, &Interval::of::<L>(&origin, wider, &inverse, mask));
-        }
-        self.limits[place] = if mask == 0 { -1.0 } else { limit };
-        let spread = greatest * coordinates;
-        self.packets[place] = Shadow { origin, direction, spread, inverse, above, below, wider, mask };
-    }
-
-    /// Adds a packet of which no ray takes part, so that the places of packets stay the same.
-    #[inline(always)]
-    pub(crate) fn skip(&mut self) {
-        self.count += 1;
+        self.packets.push(rays);
     }
 
     /// Shortens a packet's rays; a negative limit ends them.
@@ -207,7 +147,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
             }
             let Entry::Leaf { first, count } = node.children[child].entry() else { continue };
             let mut packets = 0;
-            for packet in 0..self.count.min(PACKETS) {
+            for packet in 0..self.packets.len() {
                 packets |= u8::from(self.rays_meet(packet, node, child) != 0) << packet;
             }
             if packets != 0 {
@@ -249,8 +189,7 @@ impl<'b, L: Lanes> Beam<'b, L> {
     fn isolate(&mut self, packet: usize, lane: usize, limit: f32) {
         let rays = &mut self.packets[packet];
         rays.mask = 1 << lane;
-        let interval = Interval::of::<L>(&rays.origin, rays.wider, &rays.inverse, rays.mask);
-        self.intervals.set(packet, &interval);
+        self.intervals.set(packet, &Interval { start: starts(rays), inverse: inverses(rays) });
         self.limits[packet] = limit;
     }
 
@@ -361,25 +300,37 @@ impl<'b, L: Lanes> Beam<'b, L> {
     }
 }
 
+/// The least and the greatest coordinates of where the rays of a packet start, widened.
+#[inline(always)]
+fn starts<L: Lanes>(rays: &Shadow<L>) -> [[f32; 2]; 3] {
+    let mut starts = [[0.0; 2]; 3];
+    for (ends, &origin) in starts.iter_mut().zip(&rays.origin) {
+        *ends = [extremes(rays.mask, origin - rays.wider)[0], extremes(rays.mask, origin + rays.wider)[1]];
+    }
+    starts
+}
+
+/// The least and the greatest inverse directions of the rays of a packet.
+#[inline(always)]
+fn inverses<L: Lanes>(rays: &Shadow<L>) -> [[f32; 2]; 3] {
+    let mut inverses = [[0.0; 2]; 3];
+    for (ends, &inverse) in inverses.iter_mut().zip(&rays.inverse) {
+        *ends = extremes(rays.mask, inverse);
+    }
+    inverses
+}
+
+/// The least and the greatest of some lanes.
+#[inline(always)]
+fn extremes<S: Single>(lanes: u8, of: S) -> [f32; 2] {
+    let (mask, most) = (S::Mask::from_bits(lanes), S::splat(f32::INFINITY));
+    [S::select(mask, of, most).least(), S::select(mask, of, -most).greatest()]
+}
+
 impl Interval {
     /// No ray: neutral in a union.
     const EMPTY: Interval =
         Interval { start: [[f32::INFINITY, f32::NEG_INFINITY]; 3], inverse: [[f32::INFINITY, f32::NEG_INFINITY]; 3] };
-
-    #[inline(always)]
-    fn of<L: Lanes>(origin: &[L::Single; 3], wider: L::Single, inverse: &[L::Single; 3], mask: u8) -> Interval {
-        let mask = <L::Single as Single>::Mask::from_bits(mask);
-        let most = L::Single::splat(f32::INFINITY);
-        let mut interval = Interval::EMPTY;
-        for axis in 0..3 {
-            let (low, high) = (origin[axis] - wider, origin[axis] + wider);
-            interval.start[axis][0] = L::Single::select(mask, low, most).least();
-            interval.start[axis][1] = L::Single::select(mask, high, -most).greatest();
-            interval.inverse[axis][0] = L::Single::select(mask, inverse[axis], most).least();
-            interval.inverse[axis][1] = L::Single::select(mask, inverse[axis], -most).greatest();
-        }
-        interval
-    }
 
     /// Along how many axes some rays go up and some down.
     #[inline(always)]

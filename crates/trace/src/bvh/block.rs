@@ -66,6 +66,11 @@ impl Source for Triangles<'_> {
         Bounds { low: a.min(b).min(c), high: a.max(b).max(c) }
     }
 
+    fn cost(blocks: usize) -> f32 {
+        // two are tried at once; by measurement
+        0.75 * blocks.div_ceil(2) as f32
+    }
+
     fn pack(&self, numbers: &[u32], frame: &Frame, block: &mut Block) -> Bounds {
         *block = Block::EMPTY;
         let mut around = Bounds::EMPTY;

@@ -16,18 +16,20 @@ mod cost;
 mod extreme;
 mod huge;
 mod node;
-mod single;
+mod shadow;
+mod turns;
 mod walk;
 
 #[cfg(test)]
 mod tests;
 
-pub(crate) use beam::{Beam, Shadow, Visit};
+pub(crate) use beam::{Beam, Visit};
 pub(crate) use block::{Block, NO_FACET, Triangles};
 pub(crate) use bounds::Bounds;
 pub(crate) use build::{Frame, Source};
 pub(crate) use node::{Child, Entry, Node};
-pub(crate) use single::{Follow, Scattered};
+pub(crate) use shadow::{Shadow, Start};
+pub(crate) use turns::Follow;
 pub(crate) use walk::Sight;
 
 use glam::DVec3;
@@ -124,6 +126,10 @@ impl Source for Boxes<'_> {
 
     fn bounds(&self, number: u32) -> Bounds {
         self.0[number as usize]
+    }
+
+    fn cost(packs: usize) -> f32 {
+        packs as f32
     }
 
     fn pack(&self, numbers: &[u32], _: &Frame, place: &mut u32) -> Bounds {

@@ -4,7 +4,7 @@ use super::dispatch::{Backend, Simd, Step, enter};
 use super::hidden_surfaces::Nearest;
 use super::lanes::{Mask, Real};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
-use super::shadows::{Blocked, ToLamp};
+use super::shadows::{Blocked, Segments, ToLamp};
 use super::vector::Vector;
 use crate::{Ray, RayKind, World};
 use glam::DVec3;
@@ -124,7 +124,8 @@ impl<B: Backend> Step<B> for Ask<'_> {
             rays.push(ray);
         }
         let mut bits = [0; PACKETS];
-        B::enter(Blocked { world: self.world, lamp: self.lamp, rays: &rays, blocked: &mut bits });
+        let segments = Segments { lamp: self.lamp, rays: &rays, of_neighbours: true };
+        B::enter(Blocked { world: self.world, segments, blocked: &mut bits });
         for (bits, blocked) in bits.iter().zip(self.blocked.chunks_mut(8)) {
             blocked.iter_mut().enumerate().for_each(|(lane, blocked)| *blocked = bits >> lane & 1 == 1);
         }

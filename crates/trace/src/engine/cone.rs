@@ -5,10 +5,10 @@
 use super::dispatch::{Backend, Step};
 use super::lanes::{Lanes, Mask, Real};
 use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
-use super::shadows::ToLamp;
+use super::shadows::{Segments, ToLamp};
 use super::vector::{Vector, mask};
-use crate::reference::intersect::{Cone, ConeFace};
-use glam::DVec3;
+use crate::reference::intersect::Cone;
+use lancer_scene::ConeFace;
 
 const SIDE: usize = ConeFace::Side.number() as usize;
 const BASE: usize = ConeFace::Base.number() as usize;
@@ -78,8 +78,7 @@ impl<B: Backend> Step<B> for NearestOnCone<'_, B> {
 pub(super) struct BlockedByCone<'s, B: Backend> {
     pub(super) cone: &'s Cone,
     pub(super) body: u32,
-    pub(super) lamp: DVec3,
-    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) segments: Segments<'s, B>,
     pub(super) blocked: &'s mut [u8; PACKETS],
     pub(super) asked: &'s [u8; PACKETS],
 }
@@ -87,7 +86,7 @@ pub(super) struct BlockedByCone<'s, B: Backend> {
 impl<B: Backend> Step<B> for BlockedByCone<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let BlockedByCone { cone, body, lamp, rays, blocked, asked } = self;
+        let BlockedByCone { cone, body, segments: Segments { lamp, rays, .. }, blocked, asked } = self;
         let lamp_lies_on_it = cone.lies_on(lamp);
         for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
             let open = asked[place] & !blocked[place];

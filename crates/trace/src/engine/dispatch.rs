@@ -13,7 +13,7 @@ use super::lanes::{Lanes, Portable};
 pub enum Simd {
     /// What every machine has.
     Portable,
-    /// AVX2 and FMA: x86-64 since about 2013.
+    /// AVX2, FMA and what came with them for counting and shifting bits: x86-64 since about 2013.
     Avx2,
     /// AVX-512 F, DQ and VL.
     Avx512,
@@ -37,7 +37,14 @@ impl Simd {
         match self {
             Simd::Portable => true,
             #[cfg(target_arch = "x86_64")]
-            Simd::Avx2 => std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma"),
+            Simd::Avx2 => {
+                std::is_x86_feature_detected!("avx2")
+                    && std::is_x86_feature_detected!("fma")
+                    && std::is_x86_feature_detected!("bmi1")
+                    && std::is_x86_feature_detected!("bmi2")
+                    && std::is_x86_feature_detected!("lzcnt")
+                    && std::is_x86_feature_detected!("popcnt")
+            }
             #[cfg(target_arch = "x86_64")]
             Simd::Avx512 => {
                 Simd::Avx2.is_available()
@@ -108,6 +115,6 @@ macro_rules! backend {
 
 backend!(Portable);
 #[cfg(target_arch = "x86_64")]
-backend!(Avx2, "avx2,fma");
+backend!(Avx2, "avx2,fma,bmi1,bmi2,lzcnt,popcnt");
 #[cfg(target_arch = "x86_64")]
-backend!(Avx512, "avx2,fma,avx512f,avx512dq,avx512vl");
+backend!(Avx512, "avx2,fma,bmi1,bmi2,lzcnt,popcnt,avx512f,avx512dq,avx512vl");

@@ -38,6 +38,9 @@ const LEAST: f32 = 16.0 * f32::MIN_POSITIVE;
 const LESS: f32 = 1.0 - 1.0 / 2_097_152.0;
 const MORE: f32 = 1.0 + 1.0 / 2_097_152.0;
 
+/// So many rays of a packet had better try eight facets at a time than all together one facet.
+pub(super) const FEW_RAYS: u32 = 3;
+
 /// What a ray may meet of eight facets, or eight rays of one.
 pub(super) struct Sighted<L: Lanes> {
     /// Those that may meet, and those of them that surely do.
@@ -49,6 +52,7 @@ pub(super) struct Sighted<L: Lanes> {
 }
 
 /// Rays as the filter sees them, by axis, then by lane.
+#[derive(Clone, Copy)]
 pub(super) struct Looking {
     origin: [[f32; 8]; 3],
     direction: [[f32; 8]; 3],
@@ -70,6 +74,16 @@ struct Ray<L: Lanes> {
 }
 
 impl Looking {
+    /// No rays.
+    pub(super) const NONE: Looking = Looking {
+        origin: [[0.0; 8]; 3],
+        direction: [[0.0; 8]; 3],
+        edge: [0.0; 8],
+        wider: [0.0; 8],
+        moved: [0.0; 8],
+        turned: 0.0,
+    };
+
     /// The rays of a packet.
     #[inline(always)]
     pub(super) fn of<L: Lanes>(rays: &Shadow<L>, extent: f32) -> Looking {
@@ -107,9 +121,37 @@ impl Looking {
         let mask = if blocks.len() == 1 { 0x0f } else { 0xff };
         ray.at([a, e1, e2], mask, L::Single::splat(limit))
     }
+
+    /// What the rays see of one facet of a block before their limits.
+    #[inline(always)]
+    pub(super) fn at_facet<L: Lanes>(&self, mask: u8, block: &Block, facet: usize, limit: L::Single) -> Sighted<L> {
+        let ([ox, oy, oz], [dx, dy, dz]) = (&self.origin, &self.direction);
+        let ray = Ray::<L> {
+            origin: [L::Single::load(ox), L::Single::load(oy), L::Single::load(oz)],
+            direction: [L::Single::load(dx), L::Single::load(dy), L::Single::load(dz)],
+            edge: L::Single::load(&self.edge),
+            wider: L::Single::load(&self.wider),
+            moved: L::Single::load(&self.moved),
+            turned: L::Single::splat(self.turned),
+        };
+        ray.at_one(mask, block, facet, limit)
+    }
 }
 
 impl<L: Lanes> Ray<L> {
+    #[inline(always)]
+    fn at_one(&self, mask: u8, block: &Block, facet: usize, limit: L::Single) -> Sighted<L> {
+        let zero = [L::Single::splat(0.0); 3];
+        let (mut a, mut e1, mut e2) = (zero, zero, zero);
+        for axis in 0..3 {
+            let p0 = L::Single::splat(block.corners[0][axis][facet]);
+            a[axis] = p0 - self.origin[axis];
+            e1[axis] = L::Single::splat(block.corners[1][axis][facet]) - p0;
+            e2[axis] = L::Single::splat(block.corners[2][axis][facet]) - p0;
+        }
+        self.at([a, e1, e2], mask, limit)
+    }
+
     #[inline(always)]
     fn at(&self, [a, e1, e2]: [[L::Single; 3]; 3], mask: u8, limit: L::Single) -> Sighted<L> {
         let side = cross::<L>(&a, &self.direction);
@@ -301,14 +343,6 @@ pub(super) fn sight<L: Lanes>(
     facet: usize,
     limit: L::Single,
 ) -> Sighted<L> {
-    let zero = [L::Single::splat(0.0); 3];
-    let (mut a, mut e1, mut e2) = (zero, zero, zero);
-    for axis in 0..3 {
-        let p0 = L::Single::splat(block.corners[0][axis][facet]);
-        a[axis] = p0 - rays.origin[axis];
-        e1[axis] = L::Single::splat(block.corners[1][axis][facet]) - p0;
-        e2[axis] = L::Single::splat(block.corners[2][axis][facet]) - p0;
-    }
     let ray = Ray::<L> {
         origin: rays.origin,
         direction: rays.direction,
@@ -317,7 +351,7 @@ pub(super) fn sight<L: Lanes>(
         moved: rays.wider * L::Single::splat(MOVED),
         turned: L::Single::splat(extent * TURNED),
     };
-    ray.at([a, e1, e2], rays.mask, limit)
+    ray.at_one(rays.mask, block, facet, limit)
 }
 
 /// The corners `P0` and `P1` of facets seen from a point, and `P0P1`, `P0P2` and `P1P2`.
@@ -385,7 +419,7 @@ fn greatest<L: Lanes>(a: &[L::Single; 3]) -> L::Single {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bvh::{Beam, Bvh, Triangles};
+    use crate::bvh::{Bvh, Start, Triangles};
     use crate::engine::lanes::Portable;
     use crate::engine::vector::Vector;
     use crate::reference::intersect::intersect_facet;
@@ -424,10 +458,8 @@ mod tests {
             let positions = [p0, p1, p2, DVec3::splat(-1.0), DVec3::splat(-1.0) + DVec3::X, DVec3::splat(1.0)];
             let (bvh, blocks) = Bvh::over(&Triangles { positions: &positions, facets: &[[0, 1, 2], [3, 4, 5]] });
             let lane = blocks[0].facets.iter().position(|&facet| facet == 0).unwrap();
-            let mut beam = Beam::<Portable>::new(&bvh, bvh.margin());
-            let rays = (Vector::splat(origin), Vector::splat(direction));
-            beam.push(rays.0, rays, 0xff, f32::INFINITY);
-            let (rays, extent) = (&beam.packets[0], bvh.extent());
+            let start = Start::<Portable>::new(&bvh, bvh.margin(), Vector::splat(origin), Vector::splat(origin));
+            let (rays, extent) = (&Shadow::new(&start, Vector::splat(direction), 0xff), bvh.extent());
             let most = <Portable as Lanes>::Single::splat(f32::INFINITY);
             let eye = Eye::of(rays, extent);
             let seen = Seen::of::<Portable>(&eye, &blocks);

@@ -1,59 +1,51 @@
-//! The nearest facets of a mesh for rays that go each its own way: one after the other through the hierarchy, with eight
-//! boxes and eight facets at a time, and the exact tests of all of them together at the end.
+//! The nearest facets of a mesh for packets that go each its own way: with eight boxes at a time through the hierarchy,
+//! at a leaf with eight facets and one ray, or eight rays and one facet, whichever is less, and with the exact tests of
+//! each packet together at the end.
 //!
 //! Where the filter knows that a ray meets a facet, and between which distances, everything farther is out of the race
 //! without an exact test. Most rays so have one facet left at the end.
 
 use super::dispatch::{Backend, Step};
-use super::facet_filter::Looking;
+use super::facet_filter::{FEW_RAYS, Looking};
 use super::facets_nearest::not_started_on;
 use super::hidden_surfaces::UPWARDS;
 use super::intersect::facet_each;
-use super::lanes::{Lanes, Real, Single};
-use super::packet::{Block, Hits, Packet, PerPacket};
-use super::vector::{Vector, lanes};
+use super::lanes::{Lanes, Mask, Real, Single};
+use super::packet::{Block, Hits, PACKETS, Packet, PerPacket};
+use super::vector::{Vector, lanes, put_value};
 use crate::Ray;
-use crate::bvh::{Beam, Follow, NO_FACET, Scattered};
+use crate::bvh::{self, Follow, NO_FACET, Shadow};
 use crate::reference::intersect::intersect_facet;
 use crate::world::Facets;
-use arrayvec::ArrayVec;
 
-/// Tries a set of facets with each ray of some packets.
-pub(super) struct Alone<'s, 'b, B: Backend> {
+/// Tries a set of facets with some packets, each by itself.
+pub(super) struct Alone<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
     pub(super) block: &'s Block<B>,
     /// The rays in the space of the hierarchy.
-    pub(super) beam: &'s Beam<'b, B>,
+    pub(super) rays: &'s [Shadow<B>],
     pub(super) packets: u8,
     pub(super) hits: &'s mut PerPacket<Hits<B>>,
 }
 
-impl<B: Backend> Step<B> for Alone<'_, '_, B> {
+impl<B: Backend> Step<B> for Alone<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let Alone { facets, body, block, beam, packets, hits } = self;
+        let Alone { facets, body, block, rays, packets, hits } = self;
         let extent = facets.bvh().extent();
-        let mut rest = packets;
-        while rest != 0 {
-            let mut turns = Scattered::new();
-            let mut leaves = Leaves { facets, body, block, hits, lanes: ArrayVec::new() };
-            while rest != 0 && !leaves.lanes.is_full() {
-                let place = rest.trailing_zeros() as usize;
-                rest &= rest - 1;
-                let rays = &beam.packets[place];
-                turns.push(rays);
-                let limits = leaves.hits[place].limits().store();
-                let (nearest, low) = ([NO_FACET; 8], [f32::INFINITY; 8]);
-                leaves.lanes.push(Found { place, looking: Looking::of(rays, extent), limits, nearest, low });
-            }
-            facets.bvh().follow::<B>(&turns, &mut leaves);
-            let Leaves { lanes: found, hits, .. } = leaves;
-            for Found { place, nearest, .. } in &found {
-                let left = !B::equal(nearest, NO_FACET);
-                if left != 0 {
-                    take_each(facets, body, &block.packets[*place], nearest, left, &mut hits[*place]);
-                }
+        let nothing = Found { looking: Looking::NONE, nearest: [NO_FACET; 8], low: [f32::INFINITY; 8] };
+        let mut leaves = Leaves { facets, body, block, hits, found: [nothing; PACKETS] };
+        for place in lanes(packets) {
+            leaves.found[place].looking = Looking::of(&rays[place], extent);
+        }
+        facets.bvh().follow::<B>(rays, packets, &mut leaves);
+        let Leaves { found, hits, .. } = leaves;
+        for place in lanes(packets) {
+            let nearest = &found[place].nearest;
+            let left = !B::equal(nearest, NO_FACET);
+            if left != 0 {
+                take_each(facets, body, &block.packets[place], nearest, left, &mut hits[place]);
             }
         }
     }
@@ -84,10 +76,9 @@ pub(super) fn take_each<L: Lanes>(
 }
 
 /// What the rays of a packet have found so far.
+#[derive(Clone, Copy)]
 struct Found {
-    place: usize,
     looking: Looking,
-    limits: [f32; 8],
     /// A facet that each ray surely meets, not nearer than `low`, and that is not tried yet.
     nearest: [u32; 8],
     low: [f32; 8],
@@ -99,49 +90,91 @@ struct Leaves<'v, L: Lanes> {
     body: u32,
     block: &'v Block<L>,
     hits: &'v mut PerPacket<Hits<L>>,
-    lanes: ArrayVec<Found, { Scattered::PACKETS }>,
+    found: [Found; PACKETS],
 }
 
-impl<L: Backend> Follow for Leaves<'_, L> {
+impl<L: Backend> Follow<L> for Leaves<'_, L> {
     #[inline(always)]
-    fn limit(&self, ray: usize) -> f32 {
-        self.lanes[ray / 8].limits[ray % 8]
+    fn limits(&self, packet: usize) -> [f32; 8] {
+        self.hits[packet].limits().store()
     }
 
     #[inline(always)]
-    fn leaf(&mut self, ray: usize, first: u32, count: u32, mut limit: f32) -> f32 {
-        let (packet, lane) = (ray / 8, ray % 8);
+    fn leaf(&mut self, packet: usize, rays: u8, (first, count): (u32, u32), limits: &mut [f32; 8]) {
         for blocks in self.facets.blocks()[first as usize..(first + count) as usize].chunks(2) {
-            let found = &mut self.lanes[packet];
-            let sighted = found.looking.at_facets::<L>(lane, blocks, limit);
-            if sighted.may == 0 {
-                continue;
-            }
-            let (low, high) = (sighted.low.store(), sighted.high.store());
-            for place in lanes(sighted.may) {
-                let number = blocks[place / 4 % blocks.len()].facets[place % 4];
-                let sure = sighted.sure >> place & 1 == 1;
-                let found = &mut self.lanes[packet];
-                if sure && high[place] < found.low[lane] {
-                    (found.nearest[lane], found.low[lane]) = (number, low[place]);
-                    limit = if high[place] < limit { high[place] } else { limit };
-                } else if low[place] > limit {
-                    // something surely nearer is known
-                } else {
-                    let mut met = limit;
-                    let place = found.place;
-                    L::enter(TryRay { leaves: self, place, lane, number, met: &mut met });
-                    limit = if met < limit { met } else { limit };
+            if rays.count_ones() <= FEW_RAYS {
+                for lane in lanes(rays) {
+                    self.one(packet, lane, blocks, &mut limits[lane]);
+                }
+            } else {
+                for block in blocks {
+                    for (facet, &number) in block.facets.iter().enumerate() {
+                        if number != NO_FACET {
+                            self.all(packet, rays, (block, facet), limits);
+                        }
+                    }
                 }
             }
         }
-        limit
     }
 
     #[inline(always)]
     fn soon(&self, first: u32) {
         if let Some(block) = self.facets.blocks().get(first as usize) {
             L::prefetch(block);
+        }
+    }
+}
+
+impl<L: Backend> Leaves<'_, L> {
+    /// One ray and the facets of one or two blocks.
+    #[inline(always)]
+    fn one(&mut self, packet: usize, lane: usize, blocks: &[bvh::Block], limit: &mut f32) {
+        let found = &mut self.found[packet];
+        let sighted = found.looking.at_facets::<L>(lane, blocks, *limit);
+        if sighted.may == 0 {
+            return;
+        }
+        let (low, high) = (sighted.low.store(), sighted.high.store());
+        for place in lanes(sighted.may) {
+            let number = blocks[place / 4 % blocks.len()].facets[place % 4];
+            let sure = sighted.sure >> place & 1 == 1;
+            let found = &mut self.found[packet];
+            if sure && high[place] < found.low[lane] {
+                (found.nearest[lane], found.low[lane]) = (number, low[place]);
+                *limit = if high[place] < *limit { high[place] } else { *limit };
+            } else if low[place] > *limit {
+                // something surely nearer is known
+            } else {
+                let mut met = *limit;
+                L::enter(TryRay { leaves: self, place: packet, lane, number, met: &mut met });
+                *limit = if met < *limit { met } else { *limit };
+            }
+        }
+    }
+
+    /// Some rays of a packet and one facet: keeps what is surely nearer than all before, and tries what nobody knows.
+    #[inline(always)]
+    fn all(&mut self, packet: usize, rays: u8, (block, facet): (&bvh::Block, usize), limits: &mut [f32; 8]) {
+        let found = &mut self.found[packet];
+        let limit = L::Single::load(limits);
+        let sighted = found.looking.at_facet::<L>(rays, block, facet, limit);
+        if sighted.may == 0 {
+            return;
+        }
+        let number = block.facets[facet];
+        let low = L::Single::load(&found.low);
+        let kept = sighted.sure & sighted.high.lt(low).bits();
+        let mask = L::SingleMask::from_bits(kept);
+        found.low = L::Single::select(mask, sighted.low, low).store();
+        let limit = L::Single::select(mask, sighted.high.min(limit), limit);
+        put_value(&mut found.nearest, kept, number);
+        *limits = limit.store();
+        let unknown = sighted.may & !kept & !sighted.low.gt(limit).bits();
+        for lane in lanes(unknown) {
+            let mut met = limits[lane];
+            L::enter(TryRay { leaves: self, place: packet, lane, number, met: &mut met });
+            limits[lane] = if met < limits[lane] { met } else { limits[lane] };
         }
     }
 }

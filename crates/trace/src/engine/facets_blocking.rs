@@ -3,24 +3,22 @@
 use super::blocking_alone::BlockedAlone;
 use super::dispatch::{Backend, Step};
 use super::facet_filter::{Eye, Fan, Seen};
-use super::facets_nearest::{not_started_on, send};
+use super::facets_nearest::{not_started_on, shadow, start};
 use super::intersect::facet;
 use super::lanes::{Lanes, Mask, Real};
 use super::packet::PACKETS;
-use super::shadows::ToLamp;
+use super::shadows::{Segments, ToLamp};
 use super::vector::{Vector, lanes};
-use crate::bvh::{Beam, Visit};
+use crate::bvh::{Beam, Shadow, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::Facets;
-use glam::DVec3;
 use std::ops::Range;
 
 /// Tries a set of facets with some rays of each packet.
 pub(super) struct OnFacets<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
-    pub(super) lamp: DVec3,
-    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) segments: Segments<'s, B>,
     pub(super) blocked: &'s mut [u8; PACKETS],
     pub(super) asked: &'s [u8; PACKETS],
 }
@@ -28,11 +26,17 @@ pub(super) struct OnFacets<'s, B: Backend> {
 impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let OnFacets { facets, body, lamp, rays, blocked, asked } = self;
-        let mut within = Beam::new(facets.bvh(), facets.margin());
+        let OnFacets { facets, body, segments, blocked, asked } = self;
+        let Segments { lamp, rays, .. } = segments;
+        let mut within = Beam::new(facets.bvh(), true);
+        let from_lamp = start(facets, Vector::splat(lamp));
         for (place, ray) in rays.iter().enumerate() {
             let open = asked[place] & !blocked[place];
-            send(&mut within, facets, (Vector::splat(lamp), -ray.packet.direction), open, ray.limit(open));
+            if open == 0 {
+                within.push(Shadow::none(), -1.0);
+            } else {
+                within.push(shadow(facets, &from_lamp, -ray.packet.direction, open), ray.limit(open));
+            }
         }
         let mut left = within.scattered();
         for place in lanes(left) {
@@ -42,13 +46,12 @@ impl<B: Backend> Step<B> for OnFacets<'_, B> {
         if together != 0 {
             let eye = Eye::of(&within.packets[together.trailing_zeros() as usize], facets.bvh().extent());
             let (fans, patience) = ([None; PACKETS], PATIENCE * together.count_ones());
-            let mut leaves =
-                FacetLeaves { facets, body, lamp, rays, blocked: &mut *blocked, eye, fans, patience, left };
+            let mut leaves = FacetLeaves { facets, body, segments, blocked: &mut *blocked, eye, fans, patience, left };
             within.traverse(&mut leaves);
             left = leaves.left;
         }
         if left != 0 {
-            B::enter(BlockedAlone { facets, body, lamp, rays, asked, blocked, packets: left });
+            B::enter(BlockedAlone { facets, body, segments, asked, blocked, packets: left });
         }
     }
 }
@@ -61,8 +64,7 @@ const PATIENCE: u32 = 24;
 struct FacetLeaves<'v, L: Lanes> {
     facets: &'v Facets,
     body: u32,
-    lamp: DVec3,
-    rays: &'v [ToLamp<L>],
+    segments: Segments<'v, L>,
     blocked: &'v mut [u8; PACKETS],
     /// The lamp, where all rays start for culling.
     eye: Eye,
@@ -77,7 +79,7 @@ struct FacetLeaves<'v, L: Lanes> {
 impl<L: Backend> Visit<L> for FacetLeaves<'_, L> {
     #[inline(always)]
     fn limit(&self, packet: usize, lanes: u8) -> f32 {
-        self.rays[packet].limit(lanes & !self.blocked[packet])
+        self.segments.rays[packet].limit(lanes & !self.blocked[packet])
     }
 
     #[inline(always)]
@@ -117,18 +119,17 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
                 };
                 let before = leaves.blocked[place];
                 for facet in lanes(there & seen.within::<B>(&fan)) {
-                    let distance = B::narrow(leaves.rays[place].distance);
+                    let distance = B::narrow(leaves.segments.rays[place].distance);
                     let sighted = seen.before(rays, facet, distance);
                     let unsure = sighted.may & !sighted.sure & !leaves.blocked[place];
                     leaves.blocked[place] |= sighted.sure;
                     if unsure != 0 {
                         let number = blocks[facet / 4 % blocks.len()].facets[facet % 4];
-                        let FacetLeaves { facets, body, lamp, rays, blocked, .. } = leaves;
+                        let FacetLeaves { facets, body, segments, blocked, .. } = leaves;
                         B::enter(TryNow {
                             facets,
                             body: *body,
-                            lamp: *lamp,
-                            rays,
+                            segments: *segments,
                             blocked,
                             place,
                             number,
@@ -149,8 +150,7 @@ impl<B: Backend> Step<B> for TryFacets<'_, '_, '_, B> {
 pub(super) struct TryNow<'s, B: Backend> {
     pub(super) facets: &'s Facets,
     pub(super) body: u32,
-    pub(super) lamp: DVec3,
-    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) segments: Segments<'s, B>,
     pub(super) blocked: &'s mut [u8; PACKETS],
     pub(super) place: usize,
     pub(super) number: u32,
@@ -160,7 +160,7 @@ pub(super) struct TryNow<'s, B: Backend> {
 impl<B: Backend> Step<B> for TryNow<'_, B> {
     #[inline(always)]
     fn run(self) {
-        let TryNow { facets, body, lamp, rays, blocked, place, number, may } = self;
+        let TryNow { facets, body, segments: Segments { lamp, rays, .. }, blocked, place, number, may } = self;
         let ToLamp { packet, distance, .. } = &rays[place];
         let corners = facets.corners(number);
         let found = facet::<B>(packet.origin, packet.direction, corners);

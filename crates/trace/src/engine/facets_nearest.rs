@@ -7,7 +7,7 @@ use super::intersect::facet;
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{Vector, lanes};
-use crate::bvh::{Beam, NO_FACET, Visit};
+use crate::bvh::{Beam, NO_FACET, Shadow, Start, Visit};
 use crate::precision::lies_in_plane;
 use crate::world::Facets;
 use glam::{DMat3, DVec3};
@@ -26,19 +26,43 @@ impl<B: Backend> Step<B> for OnFacets<'_, B> {
     #[inline(always)]
     fn run(self) {
         let OnFacets { facets, body, block, hits, rays } = self;
-        let mut within = Beam::new(facets.bvh(), facets.margin());
         let mut packets = 0;
-        for (place, packet) in block.packets.iter().enumerate() {
-            let mask = rays[place];
-            let limit = if mask == 0 { -1.0 } else { hits[place].farthest(mask) };
-            send(&mut within, facets, (packet.origin, packet.direction), mask, limit);
-            packets |= u8::from(mask != 0) << place;
+        for place in 0..block.packets.len() {
+            packets |= u8::from(rays[place] != 0) << place;
         }
         // rays from several points keep together where all boxes are tried anyway
-        let scattered =
-            if block.from_one_point || facets.bvh().nodes().len() == 1 { within.scattered() } else { packets };
+        if !block.from_one_point && facets.bvh().nodes().len() > 1 {
+            let mut shadows: PerPacket<Shadow<B>> = PerPacket::new();
+            for (place, packet) in block.packets.iter().enumerate() {
+                if rays[place] == 0 {
+                    shadows.push(Shadow::none());
+                } else {
+                    shadows.push(shadow(facets, &start(facets, packet.origin), packet.direction, rays[place]));
+                }
+            }
+            return B::enter(Alone { facets, body, block, rays: &shadows, packets, hits });
+        }
+        #[allow(clippy::manual_map, reason = "closures are not compiled for a backend")]
+        let eye = match block.eye() {
+            Some(eye) => Some(start(facets, eye)),
+            None => None,
+        };
+        let mut within = Beam::new(facets.bvh(), eye.is_some());
+        for (place, packet) in block.packets.iter().enumerate() {
+            let mask = rays[place];
+            if mask == 0 {
+                within.push(Shadow::none(), -1.0);
+            } else {
+                let start = match &eye {
+                    Some(eye) => *eye,
+                    None => start(facets, packet.origin),
+                };
+                within.push(shadow(facets, &start, packet.direction, mask), hits[place].farthest(mask));
+            }
+        }
+        let scattered = within.scattered();
         if scattered != 0 {
-            B::enter(Alone { facets, body, block, beam: &within, packets: scattered, hits });
+            B::enter(Alone { facets, body, block, rays: &within.packets, packets: scattered, hits });
             for place in lanes(scattered) {
                 within.shorten(place, -1.0);
             }
@@ -59,22 +83,22 @@ impl<B: Backend> Step<B> for OnFacets<'_, B> {
     }
 }
 
-/// Adds a packet to a beam in the space of a set of facets. Those without rays keep their places.
+/// Where rays start, as the hierarchy of a set of facets sees it.
 #[inline(always)]
-pub(super) fn send<L: Lanes>(
-    beam: &mut Beam<'_, L>,
-    facets: &Facets,
-    (start, direction): (Vector<L::Real>, Vector<L::Real>),
-    mask: u8,
-    limit: f32,
-) {
-    if mask == 0 {
-        beam.skip();
-    } else if let Some((linear, position)) = facets.to_local() {
-        let origin = product(linear, start - Vector::splat(*position));
-        beam.push(start, (origin, product(linear, direction)), mask, limit);
-    } else {
-        beam.push(start, (start, direction), mask, limit);
+pub(super) fn start<L: Lanes>(facets: &Facets, world: Vector<L::Real>) -> Start<L> {
+    let here = match facets.to_local() {
+        Some((linear, position)) => product(linear, world - Vector::splat(*position)),
+        None => world,
+    };
+    Start::new(facets.bvh(), facets.margin(), world, here)
+}
+
+/// Rays from there, as the hierarchy sees them.
+#[inline(always)]
+pub(super) fn shadow<L: Lanes>(facets: &Facets, start: &Start<L>, direction: Vector<L::Real>, mask: u8) -> Shadow<L> {
+    match facets.to_local() {
+        Some((linear, _)) => Shadow::new(start, product(linear, direction), mask),
+        None => Shadow::new(start, direction, mask),
     }
 }
 

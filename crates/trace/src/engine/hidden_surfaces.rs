@@ -3,14 +3,18 @@
 use super::cone::NearestOnCone;
 use super::dispatch::{Backend, Step};
 use super::facets_nearest::OnFacets;
-use super::few::{Aimed, Start};
+use super::few::{self, Aimed};
 use super::intersect::{plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
 use super::packet::{Block, Hits, NOTHING, PACKETS, Packet, PerPacket};
 use super::vector::{lanes, mask};
 use crate::World;
-use crate::bvh::{Beam, Visit};
+use crate::bvh::{Beam, Follow, Shadow, Start, Visit};
 use crate::world::Geometry;
+
+/// In a hierarchy of more nodes a packet whose rays start at several points goes down by itself; else all boxes are tried
+/// anyway, and packets keep together.
+pub(super) const MANY_NODES: usize = 8;
 
 /// An f32 that is not less than a distance.
 pub(super) const UPWARDS: f32 = 1.0 + 1.0 / 4_194_304.0;
@@ -61,7 +65,7 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
         let mut aimed = Aimed::NONE;
         for (place, (packet, hits)) in block.packets.iter().zip(hits.iter()).enumerate() {
             if packet.mask != 0 {
-                let start = Start::at(few, packet.origin);
+                let start = few::Start::at(few, packet.origin);
                 aimed.aim::<L>((few, few.all()), place, (&start, packet.direction), hits.t, packet.mask);
             }
         }
@@ -71,11 +75,35 @@ fn nearest<L: Backend>(world: &World, eye_lies_on: &[u32], block: &Block<L>, hit
         return;
     }
     let (bvh, bodies) = world.bounded();
-    let mut beam = Beam::new(bvh, bvh.margin());
-    for (packet, hits) in block.packets.iter().zip(hits.iter()) {
-        beam.push(packet.origin, (packet.origin, packet.direction), packet.mask, hits.farthest(packet.mask));
+    let mut visitor = Bodies { world, bodies, eye_lies_on, block, hits };
+    if !block.from_one_point && bvh.nodes().len() > MANY_NODES {
+        let mut shadows: PerPacket<Shadow<L>> = PerPacket::new();
+        for packet in &block.packets {
+            let start = Start::new(bvh, bvh.margin(), packet.origin, packet.origin);
+            shadows.push(Shadow::new(&start, packet.direction, packet.mask));
+        }
+        return bvh.follow(&shadows, every(block.packets.len()), &mut visitor);
     }
-    beam.traverse(&mut Bodies { world, bodies, eye_lies_on, block, hits });
+    #[allow(clippy::manual_map, reason = "closures are not compiled for a backend")]
+    let eye = match block.eye() {
+        Some(eye) => Some(Start::new(bvh, bvh.margin(), eye, eye)),
+        None => None,
+    };
+    let mut beam = Beam::new(bvh, eye.is_some());
+    for (packet, hits) in block.packets.iter().zip(visitor.hits.iter()) {
+        let start = match &eye {
+            Some(eye) => *eye,
+            None => Start::new(bvh, bvh.margin(), packet.origin, packet.origin),
+        };
+        beam.push(Shadow::new(&start, packet.direction, packet.mask), hits.farthest(packet.mask));
+    }
+    beam.traverse(&mut visitor);
+}
+
+/// The first so many packets.
+#[inline(always)]
+fn every(packets: usize) -> u8 {
+    (0xff_u32 >> (PACKETS - packets.min(PACKETS))) as u8
 }
 
 /// Tries a body with some rays of each packet.
@@ -203,6 +231,30 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
         }
         for place in lanes(packets) {
             beam.shorten(place, self.hits[place].farthest(rays[place]));
+        }
+    }
+}
+
+impl<L: Backend> Follow<L> for Bodies<'_, L> {
+    #[inline(always)]
+    fn limits(&self, packet: usize) -> [f32; 8] {
+        self.hits[packet].limits().store()
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, packet: usize, rays: u8, (first, count): (u32, u32), limits: &mut [f32; 8]) {
+        let mut asked = [0; PACKETS];
+        asked[packet] = rays;
+        for &number in &self.bodies[first as usize..(first + count) as usize] {
+            try_body(self.world, self.eye_lies_on, self.block, self.hits, number, &asked);
+        }
+        *limits = self.hits[packet].limits().store();
+    }
+
+    #[inline(always)]
+    fn soon(&self, first: u32) {
+        if let Some(&number) = self.bodies.get(first as usize) {
+            L::prefetch(self.world.body(number));
         }
     }
 }

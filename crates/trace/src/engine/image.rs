@@ -47,6 +47,12 @@ impl<W: Borrow<World>> Engine<W> {
         Engine { world, camera: *camera, settings, cancel: cancel.clone(), simd, media_of_eye, eye_lies_on }
     }
 
+    /// The same engine, whose pixels may cost so many rays.
+    #[must_use]
+    pub fn with_budget(self, max_rays: u64) -> Engine<W> {
+        Engine { settings: Settings { max_rays, ..self.settings }, ..self }
+    }
+
     /// The colours of pixels, counted from the top left, in their order: of each the mean of its clamped samples in row
     /// order. Pixels that stand near each other should be near in the list.
     pub fn pixels(&self, pixels: &[(u32, u32)], colors: &mut Vec<Result<Rgb, TraceError>>, counts: &mut RayCounts) {

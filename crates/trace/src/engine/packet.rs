@@ -60,6 +60,20 @@ impl<L: Lanes> Block<L> {
     pub(crate) fn new(kind: RayKind, level: u32, from_one_point: bool) -> Block<L> {
         Block { kind, level, from_one_point, packets: PerPacket::new() }
     }
+
+    /// The point where all rays start, if that is one.
+    #[inline(always)]
+    pub(crate) fn eye(&self) -> Option<Vector<L::Real>> {
+        if !self.from_one_point {
+            return None;
+        }
+        for packet in &self.packets {
+            if packet.mask != 0 {
+                return Some(Vector::splat(packet.origin.lane(packet.mask.trailing_zeros() as usize)));
+            }
+        }
+        None
+    }
 }
 
 /// What the rays of a packet meet first.

@@ -6,7 +6,7 @@ use super::lanes::{Mask, Real};
 use super::light::{add, add_lamp, clamp01, select, splat};
 use super::media::Stacks;
 use super::packet::{Block, Colors, Hits, PACKETS, PerPacket};
-use super::shadows::{Blocked, ToLamp};
+use super::shadows::{Blocked, Segments, ToLamp};
 use super::surface_point::Points;
 use super::vector::{Vector, mask};
 use crate::{Cancel, RayCounts, RayKind, Settings, World};
@@ -181,7 +181,9 @@ impl Path<'_> {
             }
             let mut blocked = [0; PACKETS];
             if self.settings.steps.shadows {
-                B::enter(Blocked { world, lamp: lamp.position, rays: &*rays, blocked: &mut blocked });
+                let of_neighbours = block.from_one_point;
+                let segments = Segments { lamp: lamp.position, rays: &*rays, of_neighbours };
+                B::enter(Blocked { world, segments, blocked: &mut blocked });
             }
             for (place, (ray, blocked)) in rays.iter().zip(&blocked).enumerate() {
                 let lit = ray.packet.mask & !blocked;

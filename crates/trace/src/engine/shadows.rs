@@ -7,13 +7,13 @@ use super::cone::BlockedByCone;
 use super::dispatch::{Backend, Step};
 use super::facets_blocking::OnFacets;
 use super::few::{Aimed, Hull, Start};
-use super::hidden_surfaces::UPWARDS;
+use super::hidden_surfaces::{MANY_NODES, UPWARDS};
 use super::intersect::{plane, sphere};
 use super::lanes::{Lanes, Mask, Real, Single};
-use super::packet::{PACKETS, Packet};
+use super::packet::{PACKETS, Packet, PerPacket};
 use super::vector::{Vector, lanes};
 use crate::World;
-use crate::bvh::{Beam, Visit};
+use crate::bvh::{self, Beam, Follow, Shadow, Visit};
 use crate::precision::{lies_in_plane, lies_on_sphere};
 use crate::world::Geometry;
 use glam::DVec3;
@@ -44,12 +44,20 @@ impl<L: Lanes> ToLamp<L> {
     }
 }
 
+/// The rays from points to one lamp.
+#[derive(Clone, Copy)]
+pub(super) struct Segments<'s, L: Lanes> {
+    pub(super) lamp: DVec3,
+    /// At most [`PACKETS`].
+    pub(super) rays: &'s [ToLamp<L>],
+    /// Whether the points are what neighbouring pixels see from one point: then a beam from the lamp is narrow.
+    pub(super) of_neighbours: bool,
+}
+
 /// Finds the lanes of each packet whose rays meet a body before the lamp.
 pub(super) struct Blocked<'s, B: Backend> {
     pub(super) world: &'s World,
-    pub(super) lamp: DVec3,
-    /// At most [`PACKETS`].
-    pub(super) rays: &'s [ToLamp<B>],
+    pub(super) segments: Segments<'s, B>,
     /// What is found.
     pub(super) blocked: &'s mut [u8; PACKETS],
 }
@@ -57,12 +65,13 @@ pub(super) struct Blocked<'s, B: Backend> {
 impl<B: Backend> Step<B> for Blocked<'_, B> {
     #[inline(always)]
     fn run(self) {
-        blocked(self.world, self.lamp, self.rays, self.blocked);
+        blocked(self.world, self.segments, self.blocked);
     }
 }
 
 #[inline(always)]
-fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &[ToLamp<L>], blocked: &mut [u8; PACKETS]) {
+fn blocked<L: Backend>(world: &World, segments: Segments<'_, L>, blocked: &mut [u8; PACKETS]) {
+    let Segments { lamp, rays, of_neighbours } = segments;
     *blocked = [0; PACKETS];
     for &number in world.unbounded() {
         if let Geometry::Plane { p0, p1, p2, .. } = &world.body(number).geometry {
@@ -99,30 +108,41 @@ fn blocked<L: Backend>(world: &World, lamp: DVec3, rays: &[ToLamp<L>], blocked: 
             }
         }
         for (&body, asked) in few.numbers().iter().zip(&aimed.lanes) {
-            try_body(world, lamp, rays, blocked, body, asked);
+            try_body(world, segments, blocked, body, asked);
         }
         return;
     }
     let (bvh, bodies) = world.bounded();
-    let mut beam = Beam::new(bvh, bvh.margin());
+    if bvh.nodes().len() > MANY_NODES && !of_neighbours {
+        let mut shadows: PerPacket<Shadow<L>> = PerPacket::new();
+        let mut packets = 0;
+        for (place, (ToLamp { packet, .. }, blocked)) in rays.iter().zip(blocked.iter()).enumerate() {
+            let open = packet.mask & !blocked;
+            packets |= u8::from(open != 0) << place;
+            let start = bvh::Start::new(bvh, bvh.margin(), packet.origin, packet.origin);
+            shadows.push(Shadow::new(&start, packet.direction, open));
+        }
+        return bvh.follow(&shadows, packets, &mut Bodies { world, bodies, segments, blocked });
+    }
+    let mut beam = Beam::new(bvh, true);
+    let from_lamp = bvh::Start::new(bvh, bvh.margin(), Vector::splat(lamp), Vector::splat(lamp));
     for (ray, blocked) in rays.iter().zip(blocked.iter()) {
         let open = ray.packet.mask & !blocked;
-        let from_lamp = (Vector::splat(lamp), -ray.packet.direction);
-        beam.push(from_lamp.0, from_lamp, open, ray.farthest(open));
+        beam.push(Shadow::new(&from_lamp, -ray.packet.direction, open), ray.farthest(open));
     }
-    beam.traverse(&mut Bodies { world, bodies, lamp, rays, blocked });
+    beam.traverse(&mut Bodies { world, bodies, segments, blocked });
 }
 
 /// Tries a body with some rays of each packet.
 #[inline(always)]
 fn try_body<L: Backend>(
     world: &World,
-    lamp: DVec3,
-    rays: &[ToLamp<L>],
+    segments: Segments<'_, L>,
     blocked: &mut [u8; PACKETS],
     number: u32,
     asked: &[u8; PACKETS],
 ) {
+    let Segments { lamp, rays, .. } = segments;
     match &world.body(number).geometry {
         Geometry::Sphere { center, radius } => {
             for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
@@ -143,12 +163,12 @@ fn try_body<L: Backend>(
         }
         Geometry::Facets(facets) => {
             if *asked != [0; PACKETS] {
-                L::enter(OnFacets { facets, body: number, lamp, rays, blocked, asked });
+                L::enter(OnFacets { facets, body: number, segments, blocked, asked });
             }
         }
         Geometry::Cone(cone) => {
             if *asked != [0; PACKETS] {
-                L::enter(BlockedByCone { cone, body: number, lamp, rays, blocked, asked });
+                L::enter(BlockedByCone { cone, body: number, segments, blocked, asked });
             }
         }
         // planes have no bounds
@@ -175,15 +195,14 @@ impl<L: Lanes> ToLamp<L> {
 struct Bodies<'v, L: Lanes> {
     world: &'v World,
     bodies: &'v [u32],
-    lamp: DVec3,
-    rays: &'v [ToLamp<L>],
+    segments: Segments<'v, L>,
     blocked: &'v mut [u8; PACKETS],
 }
 
 impl<L: Backend> Visit<L> for Bodies<'_, L> {
     #[inline(always)]
     fn limit(&self, packet: usize, lanes: u8) -> f32 {
-        self.rays[packet].limit(lanes & !self.blocked[packet])
+        self.segments.rays[packet].limit(lanes & !self.blocked[packet])
     }
 
     #[inline(always)]
@@ -193,10 +212,36 @@ impl<L: Backend> Visit<L> for Bodies<'_, L> {
             asked[place] = beam.packets[place].mask;
         }
         for &number in &self.bodies[first as usize..(first + count) as usize] {
-            try_body(self.world, self.lamp, self.rays, self.blocked, number, &asked);
+            try_body(self.world, self.segments, self.blocked, number, &asked);
         }
         for place in lanes(packets) {
             beam.shorten(place, self.limit(place, asked[place]));
+        }
+    }
+}
+
+impl<L: Backend> Follow<L> for Bodies<'_, L> {
+    #[inline(always)]
+    fn limits(&self, packet: usize) -> [f32; 8] {
+        (L::narrow(self.segments.rays[packet].distance) * L::Single::splat(UPWARDS)).store()
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, packet: usize, rays: u8, (first, count): (u32, u32), limits: &mut [f32; 8]) {
+        let mut asked = [0; PACKETS];
+        asked[packet] = rays;
+        for &number in &self.bodies[first as usize..(first + count) as usize] {
+            try_body(self.world, self.segments, self.blocked, number, &asked);
+        }
+        for lane in lanes(rays & self.blocked[packet]) {
+            limits[lane] = -1.0;
+        }
+    }
+
+    #[inline(always)]
+    fn soon(&self, first: u32) {
+        if let Some(&number) = self.bodies.get(first as usize) {
+            L::prefetch(self.world.body(number));
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The point that a ray sees: its place on the primitive, its normals, its surface.
 
 use super::hidden_surfaces::Hit;
-use super::intersect::ConeFace;
 use crate::Ray;
 use crate::world::{Extent, Geometry, World};
 use glam::DVec3;
+use lancer_scene::ConeFace;
 
 /// A point of a surface as a ray meets it. Both normals are turned against the ray.
 #[derive(Clone, Copy, Debug)]

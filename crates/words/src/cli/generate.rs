@@ -4,7 +4,7 @@ phrases! {
     /// `lancer generate`.
     about_generate() {
         "Make a scene by calculation, and a view of it beside it",
-        "Fabrique une scène par le calcul, et une vue d'elle à côté",
+        "Fabrique une scène par le calcul, avec une vue à côté",
     }
     /// Its form.
     usage_generate() { "lancer generate [OPTIONS] NAME [OUT]", "lancer generate [OPTIONS] NOM [SORTIE]" }

@@ -59,11 +59,9 @@ phrases! {
 
 A scene file that is named like a command is given as ./show.
 
-Environment: LANCER_SIMD=portable, avx2 or avx512 chooses the instructions of the engine simd; otherwise it uses the
-best that the machine has. The picture is the same.
+Environment: LANCER_SIMD=portable, avx2 or avx512 chooses the instructions of the engine simd; otherwise it uses the best that the machine has. The picture is the same.
 
-Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `check` found errors;
-2 wrong use of the command line; 3 a file cannot be read or written, or memory is short; 130 interrupted.",
+Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `check` found errors; 2 wrong use of the command line; 3 a file cannot be read or written, or memory is short; 130 interrupted.",
         "Exemples :
   lancer scene.xml vue.xml                       la première vue, écrite dans output.ppm
   lancer scene.xml vue.xml face.png --view face
@@ -71,12 +69,9 @@ Exit status: 0 done; 1 the input is wrong, or `diff` found differences, or `chec
 
 Un fichier de scène qui porte le nom d'une commande se donne ainsi : ./show.
 
-Environnement : LANCER_SIMD=portable, avx2 ou avx512 choisit les instructions du moteur simd ; sinon il emploie les
-meilleures de la machine. L'image est la même.
+Environnement : LANCER_SIMD=portable, avx2 ou avx512 choisit les instructions du moteur simd ; sinon il emploie les meilleures de la machine. L'image est la même.
 
-Code de retour : 0 terminé ; 1 l'entrée est fausse, ou `diff` a trouvé des différences, ou `check` des erreurs ;
-2 mauvais emploi de la ligne de commande ; 3 fichier impossible à lire ou à écrire, ou mémoire insuffisante ;
-130 interrompu.",
+Code de retour : 0 terminé ; 1 l'entrée est fausse, ou `diff` a trouvé des différences, ou `check` des erreurs ; 2 mauvais emploi de la ligne de commande ; 3 fichier impossible à lire ou à écrire, ou mémoire insuffisante ; 130 interrompu.",
     }
     /// `lancer show`.
     about_show() { "Print a scene as text", "Affiche une scène en texte" }
@@ -92,9 +87,9 @@ Code de retour : 0 terminé ; 1 l'entrée est fausse, ou `diff` a trouvé des di
     /// More about it.
     after_check() {
         "A view document is looked at together with the scene of the same name beside it (first.view.xml with \
-first.xml),\nor with the only scene that is given. Exit status: 1 if there are errors; findings alone give 0.",
+first.xml), or with the only scene that is given. Exit status: 1 if there are errors; findings alone give 0.",
         "Un document de vues est examiné avec la scène de même nom à côté de lui (premier.view.xml avec \
-premier.xml),\nou avec la seule scène donnée. Code de retour : 1 s'il y a des erreurs ; de simples remarques \
+premier.xml), ou avec la seule scène donnée. Code de retour : 1 s'il y a des erreurs ; de simples remarques \
 donnent 0.",
     }
     /// `lancer convert`.
@@ -233,8 +228,8 @@ la sortie d'erreur si l'image va sur la sortie standard",
     }
     /// --lang
     lang_help() {
-        "Language of the messages, en or fr; otherwise LC_ALL and LANG decide",
-        "Langue des messages, en ou fr ; sinon LC_ALL et LANG décident",
+        "Language of the messages, en or fr; otherwise LC_ALL, LC_MESSAGES and LANG decide",
+        "Langue des messages, en ou fr ; sinon LC_ALL, LC_MESSAGES et LANG décident",
     }
     /// --help
     help_help() { "Print this help", "Affiche cette aide" }

@@ -32,6 +32,11 @@ width and height are at least 1",
         "--all-views writes several pictures; they cannot all go to standard output",
         "--all-views écrit plusieurs images ; elles ne peuvent pas toutes aller sur la sortie standard",
     }
+    /// `-` and `-`.
+    stdin_twice() {
+        "`-` is standard input, which can be read only once: name a file for one of the two",
+        "« - » est l'entrée standard, qui ne se lit qu'une fois : nommez un fichier pour l'une des deux",
+    }
 
     // ---- clap's own complaints, for those who read French ---------------------------------------------------------
 
@@ -50,6 +55,11 @@ width and height are at least 1",
     }
     /// One that looks alike.
     similar(word) { "did you mean '{word}'?", "vouliez-vous dire « {word} » ?" }
+    /// A mistyped command.
+    meant_command(command) {
+        "did you mean the command `{command}`? What stands there is taken for the name of a scene",
+        "vouliez-vous la commande « {command} » ? Ce mot est pris pour le nom d'une scène",
+    }
     /// A value that is no legal one.
     invalid_value(value, argument) {
         "invalid value '{value}' for '{argument}'",

@@ -5,9 +5,8 @@
 //! are left out. Later versions may add members; they never change the meaning of these.
 
 use super::Explanation;
-use super::path::RayNames;
 use lancer_scene::{Compose, DVec3, Highlight, Reflectance, Rgb};
-use lancer_trace::explain::SampleTree;
+use lancer_trace::explain::{RayNames, SampleTree};
 use lancer_trace::observe::{Composed, GlassPath, LampLight, Omitted, RayNode, Seen, Term};
 use lancer_trace::{RayKind, RayTree};
 use serde::{Serialize, Serializer};

@@ -4,8 +4,6 @@
 //! its colour stands beside the reference's: the explanation says itself whether it tells the picture's story.
 
 mod json;
-mod number;
-mod path;
 mod table;
 mod text;
 
@@ -34,6 +32,7 @@ pub(crate) fn command(lang: Lang) -> Command {
     let place = |id: &'static str, name: &'static str, text: String| {
         flags::positional(id, lang, name.to_owned(), text)
             .required(true)
+            .allow_negative_numbers(true)
             .value_parser(move |text: &str| flags::whole_number(lang, text, 0, u64::from(limits::PIXELS - 1)))
     };
     Command::new("explain")

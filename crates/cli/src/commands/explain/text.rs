@@ -1,16 +1,19 @@
 //! An explanation as text: the rays as a tree of lines, below each ray what it meets and the table of its sum.
 
 use super::Explanation;
-use super::number::{CHANNEL_WIDTH, degrees, length, triple, vector};
-use super::path::RayNames;
 use super::table::{Line, terms};
-use lancer_scene::{Compose, Object, Shape};
+use lancer_formats::text::called;
+use lancer_scene::Compose;
+use lancer_trace::explain::RayNames;
 use lancer_trace::observe::{RayNode, Seen, SurfaceNode};
-use lancer_trace::reference::intersect::ConeFace;
 use lancer_trace::{Channels, RayKind, RayTree};
+use lancer_words::digits::{length, triple, vector};
 use lancer_words::{Lang, explain as words, number};
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
+
+/// The width of a column of channel values.
+const CHANNEL_WIDTH: usize = 9;
 
 /// Writes the whole explanation. Rays below `levels` are only counted.
 ///
@@ -88,7 +91,7 @@ fn end(explanation: &Explanation<'_>, lang: Lang) -> String {
 
 /// The names of the channels, above their columns.
 fn heads(lang: Lang) -> Line {
-    Line::cells(String::new(), [words::red(lang), words::green(lang), words::blue(lang)])
+    Line::cells(String::new(), words::channels(lang))
 }
 
 /// Writes one sample's tree.
@@ -147,18 +150,22 @@ impl Teller<'_> {
         let medium = node.media.last().map_or_else(|| words::surroundings(lang), |object| words::inside(lang, object));
         let mut parts = vec![what, words::level(lang, node.level)];
         if node.channels != Channels::ALL {
-            let names = [words::red(lang), words::green(lang), words::blue(lang)];
+            let names = words::channels(lang);
             let carried: Vec<&str> = node.channels.iter().map(|channel| names[channel].as_str()).collect();
             parts.push(words::carries(lang, carried.join(", ")));
         }
-        parts.push(words::travels_in(lang, medium, triple(node.index)));
+        parts.push(words::travels_in(lang, medium, triple(node.index.to_array())));
         parts.join(" · ")
     }
 
     /// What the ray meets and how its colour comes about.
     fn body(&self, ray: usize, node: &RayNode) -> Vec<Line> {
         let lang = self.lang;
-        let mut lines = vec![Line::Text(words::from_along(lang, vector(node.ray.origin), vector(node.ray.direction)))];
+        let mut lines = vec![Line::Text(words::from_along(
+            lang,
+            vector(node.ray.origin.to_array()),
+            vector(node.ray.direction.to_array()),
+        ))];
         match &node.seen {
             Seen::Background(_) => {
                 lines.push(Line::Text(words::meets_nothing(lang)));
@@ -170,12 +177,8 @@ impl Teller<'_> {
                 lines.extend(self.meeting(node, surface));
                 lines.push(Line::Blank);
                 lines.push(heads(lang));
-                let children: Vec<(&RayNode, String)> = node
-                    .children
-                    .iter()
-                    .filter_map(|&child| Some((self.tree.nodes.get(child)?, self.names.of(child))))
-                    .collect();
-                lines.extend(terms(node, surface, &children, self.explanation.scene.world.compose, lang));
+                let compose = self.explanation.scene.world.compose;
+                lines.extend(terms((self.tree, &self.names), node, surface, compose, lang));
                 let what = match node.kind {
                     RayKind::Primary => words::clamped_sum(lang),
                     RayKind::Reflected | RayKind::Refracted => words::seen_color(lang, self.names.of(ray)),
@@ -190,45 +193,17 @@ impl Teller<'_> {
     fn meeting(&self, node: &RayNode, surface: &SurfaceNode) -> Vec<Line> {
         let lang = self.lang;
         let object = self.explanation.scene.objects.iter().find(|object| object.name == surface.object);
-        let side = match surface {
-            SurfaceNode { sheet: true, .. } => words::a_sheet(lang),
-            SurfaceNode { entering: true, .. } => words::from_outside(lang),
-            SurfaceNode { .. } => words::from_inside(lang),
-        };
+        let side = words::side_met(lang, surface.sheet, surface.entering);
         let called = object.map_or_else(|| surface.object.to_string(), |object| called(object, surface.facet, lang));
         let mut meets = vec![words::meets(lang, called, length(surface.distance)), side];
         if let Some(name) = object.and_then(|object| object.material.name()) {
             meets.push(words::material(lang, name));
         }
-        let mut place = vec![
-            format!("P = {}", vector(surface.point)),
-            format!("N = {}", vector(surface.geometric_normal)),
-            words::incidence(lang, degrees(-node.ray.direction.dot(surface.geometric_normal))),
-        ];
-        if surface.normal != surface.geometric_normal {
-            place.push(words::smooth_normal(lang, vector(surface.normal)));
-        }
-        vec![Line::Text(meets.join(", ")), Line::Text(place.join(", "))]
-    }
-}
-
-/// An object by its shape and name, with the facet where there are several.
-fn called(object: &Object, facet: u32, lang: Lang) -> String {
-    match &object.shape {
-        Shape::Sphere { .. } => words::object(lang, words::sphere(lang), &object.name),
-        Shape::Plane { .. } => words::object(lang, words::plane(lang), &object.name),
-        Shape::Facet { .. } => words::object(lang, words::facet(lang), &object.name),
-        Shape::Cube { .. } => words::object_facet(lang, words::cube(lang), &object.name, facet),
-        Shape::Parallelepiped { .. } => words::object_facet(lang, words::parallelepiped(lang), &object.name, facet),
-        Shape::Cone { .. } => {
-            let face = match ConeFace::of(facet) {
-                ConeFace::Side => words::side(lang),
-                ConeFace::Base => words::base_cap(lang),
-                ConeFace::Top => words::top_cap(lang),
-            };
-            words::object_face(lang, words::cone(lang), &object.name, face)
-        }
-        Shape::Mesh(_) => words::object_facet(lang, words::mesh(lang), &object.name, facet),
+        let normal = surface.geometric_normal;
+        let smooth = (surface.normal != normal).then(|| surface.normal.to_array());
+        let cos_i = -node.ray.direction.dot(normal);
+        let place = words::place(lang, surface.point.to_array(), normal.to_array(), cos_i, smooth);
+        vec![Line::Text(meets.join(", ")), Line::Text(place)]
     }
 }
 

@@ -8,7 +8,7 @@ use super::part::{part, sort};
 use super::snapped::{Lattice, Snapped};
 use super::tree::{Size, Tree, Twig};
 use crate::bvh::huge::prefer_huge_pages;
-use crate::bvh::{Bounds, MAX_DEPTH};
+use crate::bvh::{Bounds, Child, MAX_DEPTH};
 use rayon::prelude::*;
 use std::cell::RefCell;
 
@@ -321,10 +321,11 @@ fn local<S: Source>(
 fn branch<S: Source>(source: &S, mut set: Set<'_>, bins: &Bins, below: &mut [[Bins; 2]], tree: &mut Tree) -> u32 {
     let (first, count, area) = (set.first, set.order.len(), set.area());
     let packs = count.div_ceil(S::PACK);
+    let as_leaf = if packs <= Child::MOST { area * S::cost(packs) } else { f32::INFINITY };
     // a box is a leaf at least; there is a level below for each cut and each finer lattice
     let (true, Some((parts, below))) = (packs > 1 && set.boxes.len() > 1, below.split_first_mut()) else {
         set.settle();
-        return tree.leaf(first, count, packs, area);
+        return tree.leaf(first, count, as_leaf);
     };
     if set.is_coarse() && set.refine(source, &mut parts[0]) {
         return branch(source, set, &parts[0], below, tree);
@@ -337,5 +338,5 @@ fn branch<S: Source>(source: &S, mut set: Set<'_>, bins: &Bins, below: &mut [[Bi
     };
     let left = branch(source, left, &parts[0], below, tree);
     branch(source, right, &parts[1], below, tree);
-    tree.fork(left, first, count, packs, area)
+    tree.fork(left, first, count, area, as_leaf)
 }

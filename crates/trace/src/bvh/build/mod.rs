@@ -32,6 +32,9 @@ pub(crate) trait Source: Sync {
     /// The bounds of an item.
     fn bounds(&self, number: u32) -> Bounds;
 
+    /// What it costs a ray to try the packs of a leaf, where trying the boxes of a node costs 1.
+    fn cost(packs: usize) -> f32;
+
     /// Packs at most [`Source::PACK`] items and gives the box around them.
     fn pack(&self, numbers: &[u32], frame: &Frame, place: &mut Self::Pack) -> Bounds;
 }
@@ -115,13 +118,13 @@ fn gather(grown: Grown, top: &mut Tree, locals: &mut Vec<Local>) -> u32 {
     match grown {
         Grown::Local(local) => {
             locals.push(local);
-            top.leaf(locals.len() - 1, 0, 0, 0.0)
+            top.leaf(locals.len() - 1, 0, 0.0)
         }
         Grown::Fork { area, children } => {
             let [left, right] = *children;
             let left = gather(left, top, locals);
             gather(right, top, locals);
-            top.fork(left, 0, 0, usize::MAX, area)
+            top.fork(left, 0, 0, area, f32::INFINITY)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! From a binary tree to wide nodes at the least cost: how the children of a binary node are spread over the eight places
 //! of a wide one, and where a leaf begins, by dynamic programming (Ylitie, Karras and Laine 2017, §3.1).
 
-use crate::bvh::{Child, WIDTH};
+use crate::bvh::WIDTH;
 
 /// A node of the binary tree. It comes after its children; the right one right before it.
 #[derive(Clone, Copy, Debug)]
@@ -22,14 +22,12 @@ pub(super) struct Tree {
     costs: Vec<Costs>,
 }
 
-/// The least cost of a node in at most 1, 2 … 7 places, as area times tests.
+/// The least cost of a node in at most 1, 2 … 7 places: area times what is done there, where trying the boxes of a node is
+/// 1.
 type Costs = [f32; WIDTH - 1];
 
 const LEAF: u32 = 1 << 31;
 const ALONE_SHIFT: u32 = 21;
-/// What a test of a node's boxes costs, and of a pack of items.
-const NODE_COST: f32 = 1.0;
-const PACK_COST: f32 = 1.0;
 
 impl Twig {
     /// Whether it is best off with one place, however many it may have.
@@ -56,15 +54,15 @@ impl Tree {
         self.costs.clear();
     }
 
-    /// Adds a leaf: `packs` packs of these items.
-    pub(super) fn leaf(&mut self, first: usize, count: usize, packs: usize, area: f32) -> u32 {
+    /// Adds a leaf of these items.
+    pub(super) fn leaf(&mut self, first: usize, count: usize, cost: f32) -> u32 {
         self.twigs.push(Twig { left: 0, first: first as u32, count: count as u32, plan: LEAF | 7 << ALONE_SHIFT });
-        self.costs.push([area * packs as f32 * PACK_COST; WIDTH - 1]);
+        self.costs.push([cost; WIDTH - 1]);
         self.last()
     }
 
-    /// Adds the parent of `left` and the last node. With no more than `packs` packs it may be a leaf instead.
-    pub(super) fn fork(&mut self, left: u32, first: usize, count: usize, packs: usize, area: f32) -> u32 {
+    /// Adds the parent of `left` and the last node, which may be a leaf of that cost instead; of an infinite one it may not.
+    pub(super) fn fork(&mut self, left: u32, first: usize, count: usize, area: f32, as_leaf: f32) -> u32 {
         let right = self.last();
         let (l, r) = (&self.costs[left as usize], &self.costs[right as usize]);
         let [l_alone, r_alone] = [left, right].map(|child| self.twigs[child as usize].is_always_alone());
@@ -93,12 +91,12 @@ impl Tree {
                 costs[places - 1] = before;
             }
         }
-        let (leaf, inner) = (area * packs as f32 * PACK_COST, before + area * NODE_COST);
-        let is_leaf = packs <= Child::MOST && leaf <= inner;
+        let inner = before + area;
+        let is_leaf = as_leaf <= inner;
         if is_leaf {
             plan |= LEAF;
         }
-        costs[0] = if is_leaf { leaf } else { inner };
+        costs[0] = if is_leaf { as_leaf } else { inner };
         let mut alone = 1;
         for places in 2..WIDTH {
             if costs[0] <= costs[places - 1] {
@@ -181,6 +179,7 @@ impl Size {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bvh::Child;
     use proptest::prelude::*;
 
     /// A binary tree with an area for each node and packs for each leaf.
@@ -204,9 +203,13 @@ mod tests {
             }
         }
 
+        fn as_leaf(&self) -> f32 {
+            if self.packs() <= Child::MOST { self.area() * self.packs() as f32 } else { f32::INFINITY }
+        }
+
         /// The least cost in at most so many places of a wide node: all ways are tried.
         fn cost(&self, places: usize) -> f32 {
-            let as_leaf = if self.packs() <= Child::MOST { self.area() * self.packs() as f32 } else { f32::INFINITY };
+            let as_leaf = self.as_leaf();
             let Plain::Fork { area, children } = self else { return as_leaf };
             let split = |places: usize| {
                 (1..places)
@@ -219,15 +222,15 @@ mod tests {
 
         fn grow(&self, tree: &mut Tree, first: &mut usize) -> u32 {
             match self {
-                Plain::Leaf { area, packs } => {
+                Plain::Leaf { packs, .. } => {
                     *first += packs;
-                    tree.leaf(*first - packs, *packs, *packs, *area)
+                    tree.leaf(*first - packs, *packs, self.as_leaf())
                 }
                 Plain::Fork { area, children } => {
                     let start = *first;
                     let left = children[0].grow(tree, first);
                     children[1].grow(tree, first);
-                    tree.fork(left, start, *first - start, *first - start, *area)
+                    tree.fork(left, start, *first - start, *area, self.as_leaf())
                 }
             }
         }

@@ -335,11 +335,12 @@ fn masks_keep_their_bits() {
 struct Keys([f32; 8]);
 
 impl Kernel for Keys {
-    type Output = ([f32; 8], [u32; 8]);
+    type Output = ([f32; 8], [[u32; 8]; 2], usize);
 
     #[inline(always)]
-    fn run<L: Lanes>(&self) -> ([f32; 8], [u32; 8]) {
-        L::greatest_first(L::Single::load(&self.0), &[10, 11, 12, 13, 14, 15, 16, 17])
+    fn run<L: Lanes>(&self) -> ([f32; 8], [[u32; 8]; 2], usize) {
+        let [first, second] = [[10, 11, 12, 13, 14, 15, 16, 17], [30, 31, 32, 33, 34, 35, 36, 37]];
+        L::greatest_first(L::Single::load(&self.0), [&first, &second])
     }
 }
 
@@ -356,10 +357,13 @@ fn lanes_are_sorted_by_their_keys() {
                 .map(|lane: u32| (keys[lane as usize].to_bits() & !7, 10 + lane))
                 .collect();
             expected.sort_unstable_by(|a, b| b.cmp(a));
-            for (backend, (sorted, of)) in on_every_backend(&Keys(keys)) {
-                let got: Vec<(u32, u32)> =
-                    sorted.iter().map(|key| key.to_bits()).zip(of).take(expected.len()).collect();
+            for (backend, (sorted, [first, second], count)) in on_every_backend(&Keys(keys)) {
+                assert_eq!(count, expected.len(), "{backend} {keys:?}");
+                let got: Vec<(u32, u32)> = sorted.iter().map(|key| key.to_bits()).zip(first).take(count).collect();
                 assert_eq!(got, expected, "{backend} {keys:?}");
+                for lane in 0..count {
+                    assert_eq!(second[lane], first[lane] + 20, "{backend} {keys:?}");
+                }
             }
         }
     }

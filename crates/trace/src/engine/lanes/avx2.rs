@@ -55,7 +55,7 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+    fn greatest_first(keys: Singles, of: [&[u32; 8]; 2]) -> ([f32; 8], [[u32; 8]; 2], usize) {
         greatest_first(keys.0, of)
     }
 
@@ -417,16 +417,18 @@ static CHOSEN_FIRST: [[u8; 8]; 256] = {
 
 /// [`Lanes::greatest_first`], for AVX-512 too: its vectors of eight f32 are those of AVX2.
 #[inline(always)]
-pub(super) fn greatest_first(keys: __m256, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+pub(super) fn greatest_first(keys: __m256, of: [&[u32; 8]; 2]) -> ([f32; 8], [[u32; 8]; 2], usize) {
     // SAFETY: called by backends whose types exist only where AVX2 is (the module's text).
     unsafe {
         let place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
         // as integers they are ordered as they are; the lane is part of the number
         let key = _mm256_or_si256(_mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(keys)), place);
-        let key = sorted(key);
-        let of = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of), key);
+        let (key, count) = sorted(key);
+        let first = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of[0]), key);
+        let second = _mm256_permutevar8x32_epi32(transmute::<[u32; 8], __m256i>(*of[1]), key);
         let keys = _mm256_andnot_si256(_mm256_set1_epi32(7), key);
-        (transmute::<__m256i, [f32; 8]>(keys), transmute::<__m256i, [u32; 8]>(of))
+        let of = [transmute::<__m256i, [u32; 8]>(first), transmute::<__m256i, [u32; 8]>(second)];
+        (transmute::<__m256i, [f32; 8]>(keys), of, count)
     }
 }
 
@@ -442,9 +444,9 @@ pub(super) fn prefetch<T>(memory: &T) {
     }
 }
 
-/// Eight integers, those that are not negative first, and of them the greatest first.
+/// Eight integers, those that are not negative first, and of them the greatest first; and how many are not negative.
 #[inline(always)]
-fn sorted(key: __m256i) -> __m256i {
+fn sorted(key: __m256i) -> (__m256i, usize) {
     /// Each lane with its partner, which the permutation brings to it; of the two the lanes of `LESS` keep the lesser.
     #[inline(always)]
     fn round<const LESS: i32>(key: __m256i, partner: __m256i) -> __m256i {
@@ -454,6 +456,7 @@ fn sorted(key: __m256i) -> __m256i {
     // SAFETY: called only where AVX2 is (the module's text).
     unsafe {
         let set = !_mm256_movemask_ps(_mm256_castsi256_ps(key)) & 0xff;
+        let count = set.count_ones() as usize;
         let chosen = _mm_cvtsi64_si128(i64::from_le_bytes(CHOSEN_FIRST[set as usize]));
         let key = _mm256_permutevar8x32_epi32(key, _mm256_cvtepu8_epi32(chosen));
         // 0-2 1-3, 0-1 2-3, 1-2 of each half: enough for four
@@ -461,13 +464,13 @@ fn sorted(key: __m256i) -> __m256i {
         let key = round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key));
         let key = round::<0b0100_0100>(key, _mm256_shuffle_epi32::<0b11_01_10_00>(key));
         if _mm256_extract_epi32::<4>(key) < 0 {
-            return key;
+            return (key, count);
         }
         // two halves, each the greatest first, are merged: 0-7 1-6 2-5 3-4, 0-2 1-3 4-6 5-7, 0-1 2-3 4-5 6-7
         let turned = _mm256_permute4x64_epi64::<0b00_01_10_11>(_mm256_shuffle_epi32::<0b10_11_00_01>(key));
         let key = round::<0b1111_0000>(key, turned);
         let key = round::<0b1100_1100>(key, _mm256_shuffle_epi32::<0b01_00_11_10>(key));
-        round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key))
+        (round::<0b1010_1010>(key, _mm256_shuffle_epi32::<0b10_11_00_01>(key)), count)
     }
 }
 

@@ -48,7 +48,7 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
-    fn greatest_first(keys: Singles, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
+    fn greatest_first(keys: Singles, of: [&[u32; 8]; 2]) -> ([f32; 8], [[u32; 8]; 2], usize) {
         avx2::greatest_first(keys.0, of)
     }
 

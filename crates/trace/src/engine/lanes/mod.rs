@@ -45,9 +45,10 @@ pub(crate) trait Lanes: Copy + Send + Sync + 'static {
     /// The lanes of a list of numbers that hold `value`: lane `i` in bit `i`.
     fn equal(list: &[u32; 8], value: u32) -> u8;
 
-    /// The lanes that are not negative, greatest first, and with them what belongs to them; what stands after those has
-    /// no meaning. The last three bits of each are cleared. There is neither NaN nor -0 among them.
-    fn greatest_first(keys: Self::Single, of: &[u32; 8]) -> ([f32; 8], [u32; 8]);
+    /// The lanes that are not negative, greatest first, with them what belongs to them in two lists, and how many they are;
+    /// what stands after those has no meaning. The last three bits of each are cleared. There is neither NaN nor -0 among
+    /// them.
+    fn greatest_first(keys: Self::Single, of: [&[u32; 8]; 2]) -> ([f32; 8], [[u32; 8]; 2], usize);
 
     /// Has memory fetched that will be read soon. Nothing but the time until then depends on it.
     fn prefetch<T>(memory: &T);

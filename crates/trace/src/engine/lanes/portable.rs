@@ -41,22 +41,23 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn greatest_first(keys: Eight<f32>, of: &[u32; 8]) -> ([f32; 8], [u32; 8]) {
-        let (mut sorted, mut order, mut count) = ([0.0; 8], [0; 8], 0);
+    fn greatest_first(keys: Eight<f32>, of: [&[u32; 8]; 2]) -> ([f32; 8], [[u32; 8]; 2], usize) {
+        let (mut sorted, mut order, mut count) = ([0.0; 8], [[0; 8]; 2], 0);
         for lane in 0..8 {
             if keys.0[lane] >= 0.0 {
                 let key = f32::from_bits(keys.0[lane].to_bits() & !7);
                 let mut place = count;
                 while place > 0 && sorted[place - 1] <= key {
                     sorted[place] = sorted[place - 1];
-                    order[place] = order[place - 1];
+                    order[0][place] = order[0][place - 1];
+                    order[1][place] = order[1][place - 1];
                     place -= 1;
                 }
-                (sorted[place], order[place]) = (key, of[lane]);
+                (sorted[place], order[0][place], order[1][place]) = (key, of[0][lane], of[1][lane]);
                 count += 1;
             }
         }
-        (sorted, order)
+        (sorted, order, count)
     }
 
     #[inline(always)]

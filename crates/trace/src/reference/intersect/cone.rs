@@ -13,7 +13,7 @@ use super::Start;
 use crate::Ray;
 use crate::precision::roundings;
 use glam::DVec3;
-use lancer_scene::circle_extent;
+use lancer_scene::{ConeFace, circle_extent};
 
 /// A cone as rays meet it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,37 +35,6 @@ pub struct Cone {
     pub(crate) high: f64,
     /// Whether discs close its ends.
     pub(crate) capped: bool,
-}
-
-/// Which part of a cone is met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ConeFace {
-    /// The curved side.
-    Side,
-    /// The disc at the base.
-    Base,
-    /// The disc at the top.
-    Top,
-}
-
-impl ConeFace {
-    /// The number that stands for it where facets have their numbers.
-    pub const fn number(self) -> u32 {
-        match self {
-            ConeFace::Side => 0,
-            ConeFace::Base => 1,
-            ConeFace::Top => 2,
-        }
-    }
-
-    /// The face of a number; no other number stands for a face than those of [`ConeFace::number`].
-    pub const fn of(number: u32) -> ConeFace {
-        match number {
-            0 => ConeFace::Side,
-            1 => ConeFace::Base,
-            _ => ConeFace::Top,
-        }
-    }
 }
 
 /// Where a line is within an infinite cone: distances `enter` and `leave` from the point at `shift`, which is at `z` along

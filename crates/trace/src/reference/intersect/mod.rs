@@ -5,7 +5,7 @@ mod facet;
 mod plane;
 mod sphere;
 
-pub use cone::{Cone, ConeFace, intersect_cone};
+pub use cone::{Cone, intersect_cone};
 pub use facet::{FacetHit, intersect_facet};
 pub use plane::intersect_plane;
 pub use sphere::{Start, intersect_sphere};

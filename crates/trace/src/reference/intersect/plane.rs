@@ -31,7 +31,8 @@ mod tests {
         assert_eq!(floor(DVec3::new(7.0, 3.0, -2.0), down), Some(5.0));
         assert_eq!(floor(DVec3::new(7.0, -3.0, -2.0), -down), Some(5.0));
         assert_eq!(floor(DVec3::new(7.0, 3.0, -2.0), -down), None, "behind");
-        assert_eq!(floor(DVec3::new(0.0, 1.0, 0.0), DVec3::X), None, "parallel");
+        assert_eq!(floor(DVec3::new(0.0, 1.0, 0.0), DVec3::X), None, "parallel, above");
+        assert_eq!(floor(DVec3::new(0.0, -1.0, 0.0), DVec3::X), None, "parallel, below");
         assert_eq!(floor(DVec3::ZERO, DVec3::X), None, "within the plane");
     }
 }

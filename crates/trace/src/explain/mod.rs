@@ -1,5 +1,11 @@
 //! The explanation of a pixel: the trees of its samples and the mean that becomes its bytes.
 
+mod account;
+mod names;
+
+pub use account::{Course, Entry, Factor, Part, Way, account};
+pub use names::RayNames;
+
 use crate::{Camera, Cancel, RayTree, Settings, TraceError, Tracer, World};
 use lancer_scene::Color;
 

@@ -2,14 +2,9 @@
 //!
 //! The decimal point is a point in every language, so that a number can be copied into a document.
 
-use lancer_scene::{DVec3, Rgb};
-
-/// The width of a column of channel values.
-pub(super) const CHANNEL_WIDTH: usize = 9;
-
 /// A channel's value: five decimals, because a byte's step is 0.0039; a power of ten where they would all be 0, as long
 /// as it means anything.
-pub(super) fn channel(value: f64) -> String {
+pub fn channel(value: f64) -> String {
     match value.abs() {
         0.0 => "0.00000".to_owned(),
         ..1e-12 => "≈ 0".to_owned(),
@@ -19,24 +14,25 @@ pub(super) fn channel(value: f64) -> String {
 }
 
 /// A length, an index or a coordinate: at most four decimals.
-pub(super) fn length(value: f64) -> String {
+pub fn length(value: f64) -> String {
     decimals(value, 4)
 }
 
 /// An angle in degrees from its cosine: two decimals.
-pub(super) fn degrees(cosine: f64) -> String {
+pub fn degrees(cosine: f64) -> String {
     decimals(cosine.clamp(-1.0, 1.0).acos().to_degrees(), 2)
 }
 
 /// A point or a direction.
-pub(super) fn vector(value: DVec3) -> String {
-    let [x, y, z] = value.to_array().map(length);
+pub fn vector(value: [f64; 3]) -> String {
+    let [x, y, z] = value.map(length);
     format!("({x} {y} {z})")
 }
 
-/// One number for three equal ones, as in a document.
-pub(super) fn triple(value: Rgb) -> String {
-    if value.is_uniform() { length(value.r) } else { value.to_array().map(length).join(" ") }
+/// The values of three channels; one number for three equal ones, as in a document.
+pub fn triple(value: [f64; 3]) -> String {
+    let [r, g, b] = value;
+    if r == g && g == b { length(r) } else { value.map(length).join(" ") }
 }
 
 /// At most so many decimals, without zeros at the end; a power of ten where they would all be 0.
@@ -67,7 +63,7 @@ mod tests {
         assert_eq!(channel(5e-144), "≈ 0");
         assert_eq!(degrees(0.5), "60");
         assert_eq!(degrees(1.0 + 1e-16), "0");
-        assert_eq!(triple(Rgb::splat(1.5)), "1.5");
-        assert_eq!(triple(Rgb::new(1.0, 1.25, 1.5)), "1 1.25 1.5");
+        assert_eq!(triple([1.5; 3]), "1.5");
+        assert_eq!(triple([1.0, 1.25, 1.5]), "1 1.25 1.5");
     }
 }
