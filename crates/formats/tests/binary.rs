@@ -402,3 +402,31 @@ fn a_read_scene_can_be_edited() {
     let (stage, _) = Stage { scene, ..Stage::default() }.apply(&Edit::Objects(ListEdit::Remove { index: 0 })).unwrap();
     assert_eq!(stage.scene.objects.len(), 1);
 }
+
+/// `cargo test --release -p lancer-formats --test binary -- --ignored --nocapture`: well under 100 ms each.
+#[test]
+#[ignore = "a measurement"]
+fn a_million_facets_in_milliseconds() {
+    let side = 708_u32;
+    let height = |x: u32, y: u32| (f64::from(x) * 0.1).sin() * (f64::from(y) * 0.07).cos();
+    let positions = (0..side * side).map(|i| (i % side, i / side));
+    let cell = |i: u32| i / (side - 1) * side + i % (side - 1);
+    let facets = (0..(side - 1) * (side - 1)).map(cell);
+    let geometry = MeshGeometry {
+        positions: positions.map(|(x, y)| DVec3::new(f64::from(x), height(x, y), f64::from(y))).collect(),
+        facets: facets.flat_map(|at| [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]).collect(),
+        ..MeshGeometry::default()
+    };
+    let scene = Scene {
+        objects: [Object::new("field", mesh(&Arc::new(geometry), DVec3::ZERO))].into_iter().collect(),
+        ..Scene::default()
+    };
+    for _ in 0..5 {
+        let start = std::time::Instant::now();
+        let file = write_scene(&scene);
+        let (written, start) = (start.elapsed(), std::time::Instant::now());
+        let read = read_scene(&file).unwrap();
+        println!("{} bytes: written in {written:?}, read in {:?}", file.len(), start.elapsed());
+        assert_eq!(read, scene);
+    }
+}

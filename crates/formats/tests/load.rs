@@ -215,7 +215,8 @@ fn a_document_reaches_no_file_outside_its_folder() {
         .chain([absolute.to_str().unwrap(), missing.to_str().unwrap()])
     {
         let loaded = load(&scene_in(&folder, &format!("<mesh src=\"{src}\"/>")));
-        let expected = format!("mesh file `{src}`: the file lies outside the folder of the scene document");
+        let expected =
+            format!("mesh file `{src}`: the path is absolute or leads out of the folder of the scene document");
         assert_eq!(said(&loaded), error(&expected));
         let help = loaded.diagnostics[0].problem.help(Lang::English).unwrap();
         assert!(help.contains("--allow-outside"), "{help}");
@@ -239,7 +240,7 @@ fn neither_do_the_files_that_its_meshes_name() {
     };
     assert_eq!(said(&mesh("../materials/a.mtl")), []);
     let outside = |name: &str| {
-        let file = format!("mesh file `{name}`: the file lies outside the folder of the scene document");
+        let file = format!("mesh file `{name}`: the path is absolute or leads out of the folder of the scene document");
         let red = "mesh file `meshes/a.obj`, line 2: no library defines the material `red`".to_owned();
         vec![(Severity::Warning, file), (Severity::Warning, red)]
     };
@@ -254,7 +255,8 @@ fn neither_do_the_files_that_its_meshes_name() {
     )
     .unwrap();
     let loaded = load(&scene_in(&folder, "<mesh src=\"meshes/a.gltf\"/>"));
-    let expected = "mesh file `meshes/../../secret.mtl`: the file lies outside the folder of the scene document";
+    let expected =
+        "mesh file `meshes/../../secret.mtl`: the path is absolute or leads out of the folder of the scene document";
     assert_eq!(said(&loaded), error(expected));
 }
 

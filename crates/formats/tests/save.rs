@@ -5,7 +5,8 @@
 use lancer_formats::Describe;
 use lancer_formats::picture::{self, Format};
 use lancer_formats::save::{self, SaveCause, SaveError};
-use lancer_scene::Picture;
+use lancer_formats::{binary, export, n7_2009, xml};
+use lancer_scene::{DVec3, Mesh, MeshGeometry, Object, Picture, Placement, PointLight, Scene, Shape, View};
 use lancer_words::Lang;
 use std::fs;
 use std::io::{self, Write};
@@ -46,6 +47,31 @@ fn is_root() -> bool {
 
 fn a_picture() -> Picture {
     Picture { width: 6, height: 4, bytes: (0..24).map(|i| [i, 2 * i, 255 - i]).collect(), linear: None }
+}
+
+/// A ball, a facet of a mesh, and a lamp.
+fn a_scene() -> Scene {
+    let geometry = MeshGeometry {
+        positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+        facets: vec![[0, 1, 2]],
+        ..MeshGeometry::default()
+    };
+    let mesh = Mesh { geometry: geometry.into(), source: None, placement: Placement::default(), smooth: false };
+    Scene {
+        lights: [PointLight::new("lamp", DVec3::new(-2.0, 3.0, 0.1))].into_iter().collect(),
+        objects: [
+            Object::new("ball", Shape::Sphere { center: DVec3::ZERO, radius: 0.5 }),
+            Object::new("flag", Shape::Mesh(mesh)),
+        ]
+        .into_iter()
+        .collect(),
+        ..Scene::default()
+    }
+}
+
+fn a_view() -> View {
+    let document = xml::Document::read("a.xml", b"<view version='1'><eye at='0 1 5' look-at='0 0 0'/></view>").unwrap();
+    View::clone(&xml::read_views(&document).value.unwrap()[0])
 }
 
 #[test]
@@ -290,25 +316,58 @@ impl Write for Full<'_> {
     }
 }
 
+type Writer = Box<dyn Fn(&mut dyn Write) -> io::Result<()>>;
+
+/// Everything that is written, by the names of what writes it.
+fn writers() -> Vec<(String, Writer)> {
+    let scene = a_scene();
+    let view = a_view();
+    let whole = |name: &str, bytes: Vec<u8>| -> (String, Writer) {
+        (name.to_owned(), Box::new(move |out: &mut dyn Write| out.write_all(&bytes)))
+    };
+    // a ball becomes thousands of facets
+    let flat = Scene { objects: scene.objects.with(|objects| drop(objects.remove(0))), ..scene.clone() };
+    let obj = export::write_obj(&flat, "out.mtl");
+    let mut writers = vec![
+        whole("XML", xml::write_scene(&scene).into_bytes()),
+        whole("views", xml::write_views(&[view.clone()].into_iter().collect()).into_bytes()),
+        whole("binary", binary::write_scene(&scene)),
+        whole("2009", n7_2009::write_scene(&scene).0.into_bytes()),
+        whole("OBJ", obj.objects.into_bytes()),
+        whole("MTL", obj.materials.into_bytes()),
+        whole("glTF", export::write_gltf(&flat, export::Container::Text)),
+    ];
+    // those encode before they write
+    for format in [Format::Png, Format::Qoi, Format::Bmp, Format::Tiff, Format::Exr] {
+        let mut bytes = Vec::new();
+        picture::write(&a_picture(), format, &mut bytes).unwrap();
+        writers.push(whole(&format!("{format:?}"), bytes));
+    }
+    writers.push(("POV-Ray".to_owned(), Box::new(move |out| export::write_povray(&scene, &view, out))));
+    for format in [Format::PlainPpm, Format::RawPpm] {
+        writers.push((format!("{format:?}"), Box::new(move |out| picture::write(&a_picture(), format, out))));
+    }
+    writers
+}
+
 #[test]
 fn a_writer_that_fails_at_any_byte_leaves_the_old_file_whole() {
     let folder = folder();
     let path = folder.path().join("output.ppm");
     fs::write(&path, OLD).unwrap();
     set_mode(&path, 0o640);
-    let picture = a_picture();
-    for format in [Format::PlainPpm, Format::RawPpm, Format::Png, Format::Qoi, Format::Bmp] {
+    for (name, write) in writers() {
         let mut whole = Vec::new();
-        picture::write(&picture, format, &mut whole).unwrap();
+        write(&mut whole).unwrap();
         for room in 0..whole.len() {
-            let error = save::save(&path, |out| picture::write(&picture, format, &mut Full { out, room })).unwrap_err();
-            assert_eq!(error, SaveError { path: path.clone(), cause: SaveCause::NoSpace }, "{format:?} at {room}");
-            assert_eq!(fs::read(&path).unwrap(), OLD, "{format:?} at {room}");
-            assert_eq!(names(folder.path()), ["output.ppm"], "{format:?} at {room}");
+            let error = save::save_output(&path, |out| write(&mut Full { out, room })).unwrap_err();
+            assert_eq!(error, SaveError { path: path.clone(), cause: SaveCause::NoSpace }, "{name} at {room}");
+            assert_eq!(fs::read(&path).unwrap(), OLD, "{name} at {room}");
+            assert_eq!(names(folder.path()), ["output.ppm"], "{name} at {room}");
         }
         let room = whole.len();
-        save::save(&path, |out| picture::write(&picture, format, &mut Full { out, room })).unwrap();
-        assert_eq!((fs::read(&path).unwrap(), mode(&path)), (whole, 0o640));
+        save::save(&path, |out| write(&mut Full { out, room })).unwrap();
+        assert_eq!((fs::read(&path).unwrap(), mode(&path)), (whole, 0o640), "{name}");
         fs::write(&path, OLD).unwrap();
     }
 }

@@ -136,6 +136,59 @@ fn a_scene_with_one_of_each() {
     check("everything", |lang| describe(&everything(), lang));
 }
 
+/// Names of every width: two columns a character, none at all for an accent, and far wider than a column may be.
+#[test]
+fn wide_and_long_names_keep_the_columns() {
+    let long = "a name longer than any column of a table would like";
+    let paint = |name: &str, kr| Material { name: name.into(), surface: Surface { kr, ..Surface::default() } };
+    let ball = |name: &str, material: &str| Object {
+        material: MaterialRef::Named(material.into()),
+        ..Object::new(name, Shape::Sphere { center: DVec3::new(0.0, 0.5, -1.25), radius: 0.5 })
+    };
+    let scene = Scene {
+        name: "漢字の場面".into(),
+        materials: [
+            paint("金属", Rgb::new(0.8, 0.7, 0.6)),
+            paint(long, Rgb::splat(0.1)),
+            paint("e\u{301}", Rgb::BLACK),
+        ]
+        .into_iter()
+        .collect(),
+        lights: [PointLight::new("太陽", DVec3::Y), PointLight::new(long, DVec3::new(1.0, 2.5, 3.0))]
+            .into_iter()
+            .collect(),
+        objects: [
+            ball("球🔺", "金属"),
+            ball(long, "e\u{301}"),
+            Object { visible: false, ..ball("e\u{301}te\u{301}", long) },
+            Object::new(
+                "旗",
+                Shape::Mesh(Mesh {
+                    geometry: Arc::new(tetrahedron()),
+                    source: None,
+                    placement: Placement::default(),
+                    smooth: true,
+                }),
+            ),
+        ]
+        .into_iter()
+        .collect(),
+        ..Scene::default()
+    };
+    let view = |name: &str| View {
+        name: name.into(),
+        width: 640,
+        height: 480,
+        eye: DVec3::Z,
+        screen: ScreenSpec::LookAt { look_at: DVec3::ZERO, up: DVec3::Y, fov: 45.0 },
+        samples: 1,
+        depth: None,
+        steps: Steps::default(),
+    };
+    let views: Views = [view("正面"), view(long)].into_iter().collect();
+    check("names", |lang| describe(&scene, lang) + "\n" + &describe_views(&views, lang));
+}
+
 #[test]
 fn an_empty_scene() {
     check("empty", |lang| describe(&Scene::default(), lang) + "\n" + &describe_views(&Views::default(), lang));

@@ -1,8 +1,10 @@
 //! Saving an edited scene into its document: what changed changes, and everything else stays byte for byte.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
-mod xml_models;
+#[path = "../../scene/tests/arbitrary/mod.rs"]
+mod arbitrary;
 
+use arbitrary::{Extent, scene, views};
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
 use lancer_formats::xml::{Document, Node, patch_scene, patch_views, read_scene, read_views, write_scene, write_views};
 use lancer_scene::{DVec3, MaterialRef, Object, PointLight, Rgb, Scene, Shape, Surface, Views};
@@ -68,6 +70,29 @@ fn a_value_is_changed_in_place() {
         });
     });
     assert_eq!(patched, SAMPLE.replace("ka=\"0.4 0 0\"", "ka=\"0.5\""));
+}
+
+/// Whatever the encoding, the mark and the line ends, one value's bytes are all that changes.
+#[test]
+fn a_value_is_changed_in_place_in_every_encoding() {
+    let text = "<?xml version=\"1.0\" encoding='UTF-8'?>\n<!-- HERE -->\n<scene version=\"1\" name=\"HERE\">\n\t<sphere\n  \
+                center='0,0,0' radius = '1.0'  name=\"HERE\"/>\n</scene>\n\n";
+    let mut tried = 0;
+    for line_end in ["\n", "\r\n", "\r"] {
+        for here in ["été", "plain", "10 €", "漢字 🔺"] {
+            for encoding in ENCODINGS {
+                let text = text.replace('\n', line_end).replace("HERE", here);
+                let Some(bytes) = encoded(&text, encoding) else { continue };
+                let document = document(&bytes);
+                let mut scene = scene_of(&document);
+                object(&mut scene, 0, |ball| ball.shape = Shape::Sphere { center: DVec3::ZERO, radius: 0.25 });
+                let expected = encoded(&text.replace("'1.0'", "'0.25'"), encoding).unwrap();
+                assert_eq!(patch_scene(&document, &scene), expected, "{encoding:?} {line_end:?} {here}");
+                tried += 1;
+            }
+        }
+    }
+    assert_eq!(tried, 3 * (7 + 8 + 6 + 4));
 }
 
 #[test]
@@ -256,18 +281,46 @@ fn messy(canonical: &str, choices: &[u8], comments: bool) -> String {
     if next() % 3 == 0 { text.replace('\n', "\r\n") } else { text }
 }
 
-/// The text in one of the encodings that are read.
-fn encoded(text: &str, choice: u8) -> Vec<u8> {
-    let latin = text.chars().all(|character| u32::from(character) < 256);
-    match choice % 5 {
-        0 => [b"\xEF\xBB\xBF", text.as_bytes()].concat(),
-        1 => {
-            let wide = text.replace("UTF-8", "UTF-16");
-            std::iter::once(0xFEFF).chain(wide.encode_utf16()).flat_map(u16::to_le_bytes).collect()
-        }
-        2 if latin => text.replace("UTF-8", "ISO-8859-1").chars().map(|character| character as u8).collect(),
-        _ => text.as_bytes().to_vec(),
-    }
+/// The encodings that are read, each by the name that a document declares, and with its mark if it has one.
+const ENCODINGS: [(&str, &[u8]); 8] = [
+    ("UTF-8", b""),
+    ("UTF-8", b"\xEF\xBB\xBF"),
+    ("UTF-16", b"\xFF\xFE"),
+    ("UTF-16", b"\xFE\xFF"),
+    ("ISO-8859-1", b""),
+    ("windows-1252", b""),
+    ("ISO-8859-15", b""),
+    ("US-ASCII", b""),
+];
+
+/// A text that declares UTF-8 in another encoding; `None` if that does not have its characters.
+fn encoded(text: &str, (name, mark): (&str, &[u8])) -> Option<Vec<u8>> {
+    let text = text.replacen("UTF-8", name, 1);
+    let narrow =
+        |last: u32| text.chars().map(|c| u8::try_from(u32::from(c)).ok().filter(|_| u32::from(c) <= last)).collect();
+    let bytes: Option<Vec<u8>> = match (name, mark) {
+        ("UTF-16", b"\xFF\xFE") => Some(text.encode_utf16().flat_map(u16::to_le_bytes).collect()),
+        ("UTF-16", _) => Some(text.encode_utf16().flat_map(u16::to_be_bytes).collect()),
+        ("ISO-8859-1", _) => narrow(0xFF),
+        ("US-ASCII", _) => narrow(0x7F),
+        // both have the euro, and each where the other has none
+        ("windows-1252", _) => text.chars().map(|c| if c == '€' { Some(0x80) } else { latin(c) }).collect(),
+        ("ISO-8859-15", _) => text.chars().map(|c| if c == '€' { Some(0xA4) } else { latin(c) }).collect(),
+        _ => Some(text.into_bytes()),
+    };
+    Some([mark, &bytes?].concat())
+}
+
+/// The text in one of the encodings that have its characters.
+fn in_some_encoding(text: &str, choice: u8) -> Vec<u8> {
+    let encodings = ENCODINGS.iter().cycle().skip(usize::from(choice));
+    let mut encoded = encodings.take(ENCODINGS.len()).filter_map(|encoding| encoded(text, *encoding));
+    encoded.next().unwrap_or_else(|| text.as_bytes().to_vec())
+}
+
+/// A character that every Latin encoding has in the same place.
+fn latin(character: char) -> Option<u8> {
+    u8::try_from(character).ok().filter(|byte| byte.is_ascii() || *byte >= 0xC0)
 }
 
 /// One edit of a scene, with the parts of another at hand.
@@ -275,16 +328,23 @@ type Edit = (u8, Index, Index);
 
 fn with_edit(scene: &Scene, other: &Scene, (kind, from, to): &Edit) -> Scene {
     let mut next = scene.clone();
-    let materials: Vec<_> = scene.materials.iter().map(|material| (**material).clone()).collect();
+    // an object of the other scene, with materials that this one has
     let foreign = |at: &Index| {
         let mut object = (!other.objects.is_empty()).then(|| (**at.get(&other.objects)).clone())?;
+        let mut place = at.index(5);
+        let mut another = || {
+            place += 1;
+            scene
+                .materials
+                .get(place - 1)
+                .map_or(MaterialRef::Default, |material| MaterialRef::Named(material.name.clone()))
+        };
+        object.material = another();
         if let Shape::Mesh(mesh) = &mut object.shape {
-            Arc::make_mut(&mut mesh.geometry).parts.clear();
+            let parts = &mut Arc::make_mut(&mut mesh.geometry).parts;
+            parts.iter_mut().filter(|part| part.material.name().is_some()).for_each(|part| part.material = another());
         }
-        Some(Arc::new(xml_models::with_materials(
-            Object { material: MaterialRef::Named(at.index(5).to_string().into()), ..object },
-            &materials,
-        )))
+        Some(Arc::new(object))
     };
     match kind % 12 {
         0 => next.name.clone_from(&other.name),
@@ -358,12 +418,12 @@ proptest! {
 
     #[test]
     fn whatever_is_edited_reads_back_and_the_rest_stays(
-        scene in xml_models::scene(),
-        other in xml_models::scene(),
+        scene in scene(Extent::SelfContained),
+        other in scene(Extent::SelfContained),
         choices in prop::collection::vec(any::<u8>(), 1..40),
         edits in prop::collection::vec(any::<Edit>(), 0..6),
     ) {
-        let bytes = encoded(&messy(&write_scene(&scene), &choices, true), choices[0]);
+        let bytes = in_some_encoding(&messy(&write_scene(&scene), &choices, true), choices[0]);
         let document = document(&bytes);
         let base = scene_of(&document);
         prop_assert_eq!(patch_scene(&document, &base), bytes, "unedited");
@@ -394,14 +454,35 @@ proptest! {
         }
     }
 
+    /// One attribute comes, goes or changes: all bytes but those of its element's start tag stay.
+    #[test]
+    fn an_attribute_changes_its_own_tag_alone(
+        scene in scene(Extent::SelfContained),
+        choices in prop::collection::vec(any::<u8>(), 1..40),
+        at in any::<Index>(),
+    ) {
+        let bytes = in_some_encoding(&messy(&write_scene(&scene), &choices, true), choices[0]);
+        let document = document(&bytes);
+        let mut scene = scene_of(&document);
+        prop_assume!(!scene.objects.is_empty());
+        let index = at.index(scene.objects.len());
+        object(&mut scene, index, |object| object.visible = !object.visible);
+        let patched = self::document(&patch_scene(&document, &scene));
+        prop_assert_eq!(patched.encoding(), document.encoding());
+        let is_object = |element: &lancer_formats::xml::Element<'_>| !matches!(element.name(), "world" | "material" | "light");
+        let tag = document.root().elements().filter(is_object).nth(index).unwrap().start_tag();
+        let (old, new) = (document.text(), patched.text());
+        prop_assert!(new.starts_with(&old[..tag.start]) && new.ends_with(&old[tag.end..]), "{old}\nbecame\n{new}");
+    }
+
     #[test]
     fn whatever_is_edited_in_views_reads_back(
-        views in xml_models::views(),
-        other in xml_models::views(),
+        views in views(),
+        other in views(),
         choices in prop::collection::vec(any::<u8>(), 1..40),
         places in prop::collection::vec(any::<Index>(), 0..5),
     ) {
-        let bytes = encoded(&messy(&write_views(&views), &choices, true), choices[0]);
+        let bytes = in_some_encoding(&messy(&write_views(&views), &choices, true), choices[0]);
         let document = document(&bytes);
         let base = read_views(&document).value.unwrap_or_else(|| panic!("{}", document.text()));
         prop_assert_eq!(patch_views(&document, &base), bytes, "unedited");

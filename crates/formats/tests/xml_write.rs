@@ -1,8 +1,10 @@
 //! The canonical layout: what is written reads back as the same model, and is written again as the same text.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
 
-mod xml_models;
+#[path = "../../scene/tests/arbitrary/mod.rs"]
+mod arbitrary;
 
+use arbitrary::{Extent, scene, views};
 use lancer_formats::mesh::{MeshFile, MeshFiles, MeshProblem};
 use lancer_formats::xml::{Document, read_scene, read_views, write_scene, write_views};
 use lancer_scene::{
@@ -143,7 +145,7 @@ fn same_bits(scene: &Scene) -> String {
 
 proptest! {
     #[test]
-    fn a_written_scene_reads_back_as_itself(scene in xml_models::scene()) {
+    fn a_written_scene_reads_back_as_itself(scene in scene(Extent::SelfContained)) {
         let text = write_scene(&scene);
         let again = read(&text);
         prop_assert_eq!(same_bits(&again), same_bits(&scene), "{}", text);
@@ -151,7 +153,7 @@ proptest! {
     }
 
     #[test]
-    fn written_views_read_back_as_themselves(views in xml_models::views()) {
+    fn written_views_read_back_as_themselves(views in views()) {
         let text = write_views(&views);
         let document = Document::read("written.view.xml", text.as_bytes()).unwrap();
         let again = read_views(&document).value.expect(&text);

@@ -159,7 +159,7 @@ phrases! {
     }
     coincident_faces_help() {
         "move one of them by a hair; glass that holds something should overlap it a little",
-        "décalez l'un d'un cheveu ; un verre doit pénétrer un peu ce qu'il contient",
+        "décalez légèrement l'un des deux ; un verre doit pénétrer un peu ce qu'il contient",
     }
     open_glass(object) {
         "the transparent mesh `{object}` is not closed: it is taken for a sheet without thickness and does not refract",
@@ -187,7 +187,7 @@ phrases! {
     }
     unused_material(material) {
         "the material `{material}` is not used",
-        "la matière « {material} » ne sert à rien",
+        "la matière « {material} » n'est portée par aucun objet",
     }
     unused_material_help(material) {
         "give it to an object with `material=\"{material}\"`, or take it out",

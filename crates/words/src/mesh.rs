@@ -31,8 +31,8 @@ phrases! {
     }
     /// Outside the document's folder.
     outside() {
-        "the file lies outside the folder of the scene document",
-        "le fichier est hors du dossier du document de scène",
+        "the path is absolute or leads out of the folder of the scene document",
+        "le chemin est absolu ou sort du dossier du document de scène",
     }
     /// How to allow it.
     outside_help() {

@@ -5,36 +5,36 @@ use crate::xml::reports;
 reports! {
     /// An element that the format does not have there.
     unknown_element(name, parent, guess, legal) {
-        "`<{parent}>` holds no `<{name}>`: it is passed over", "{guess}", "`<{parent}>` holds {legal}";
+        "`<{parent}>` holds no `<{name}>`: it is ignored", "{guess}", "`<{parent}>` holds {legal}";
         "« <{parent}> » ne contient pas de « <{name}> » : il est ignoré", "{guess}", "« <{parent}> » contient {legal}";
     }
     /// An element within one that holds none.
     no_elements(name, parent) {
-        "`<{parent}>` holds no elements: `<{name}>` is passed over", "here", "everything of `<{parent}>` is in its attributes";
+        "`<{parent}>` holds no elements: `<{name}>` is ignored", "here", "everything of `<{parent}>` is in its attributes";
         "« <{parent}> » ne contient aucun élément : « <{name}> » est ignoré", "ici",
         "tout ce que dit « <{parent}> » est dans ses attributs";
     }
     /// An attribute that the element does not have.
     unknown_attribute(name, element, guess, legal) {
-        "`<{element}>` has no attribute `{name}`: it is passed over", "{guess}", "`<{element}>` has {legal}";
+        "`<{element}>` has no attribute `{name}`: it is ignored", "{guess}", "`<{element}>` has {legal}";
         "« <{element}> » n'a pas d'attribut « {name} » : il est ignoré", "{guess}", "« <{element}> » a {legal}";
     }
     /// An attribute of an element that has none.
     no_attributes(name, element) {
-        "`<{element}>` has no attributes: `{name}` is passed over", "here", "take it out";
+        "`<{element}>` has no attributes: `{name}` is ignored", "here", "take it out";
         "« <{element}> » n'a aucun attribut : « {name} » est ignoré", "ici", "ôtez-le";
     }
     /// Text within an element.
     stray_text(parent) {
-        "this text within `<{parent}>` is passed over", "here",
+        "this text within `<{parent}>` is ignored", "here",
         "the format keeps everything in attributes: put remarks into `<!-- -->`";
         "ce texte dans « <{parent}> » est ignoré", "ici",
         "le format garde tout dans les attributs : mettez les remarques dans « <!-- --> »";
     }
     /// An element is missing.
-    missing_element(parent, due) {
-        "`<{parent}>` holds no {due}", "it is missing here", "add {due}";
-        "« <{parent}> » ne contient pas {due}", "il manque ici", "ajoutez {due}";
+    missing_element(parent, due, sample) {
+        "{due} is missing in `<{parent}>`", "in this one", "for example `{sample}`";
+        "il manque {due} dans « <{parent}> »", "dans celui-ci", "par exemple « {sample} »";
     }
     /// An attribute is missing.
     missing_attribute(name, element) {
@@ -67,17 +67,16 @@ reports! {
         "c'est la lumière ambiante et le fond";
     }
     /// A number outside its range.
-    clamped(name, found, min, max) {
-        "`{name}` is {found}: it is taken for the nearest number from {min} to {max}", "outside {min} to {max}",
-        "`{name}` goes from {min} to {max}";
-        "« {name} » vaut {found} : il est ramené entre {min} et {max}", "hors de l'intervalle de {min} à {max}",
+    clamped(name, found, taken, min, max) {
+        "`{name}` is {found}, outside {min} to {max}", "{taken} is taken instead", "`{name}` lies between {min} and {max}";
+        "« {name} » vaut {found}, hors de l'intervalle de {min} à {max}", "{taken} est pris à sa place",
         "« {name} » va de {min} à {max}";
     }
     /// An index that is not above 0.
     bad_index(found) {
-        "the refraction index `n` is {found}, but must be above 0", "must be above 0",
+        "the refraction index `n` is {found}, but must be greater than 0", "more than 0",
         "it counts 64ths: 64 is 1 (air), 85.12 is 1.33 (water), 96 is 1.5 (glass)";
-        "l'indice de réfraction « n » vaut {found}, mais doit dépasser 0", "doit dépasser 0",
+        "l'indice de réfraction « n » vaut {found}, mais doit être strictement positif", "plus grand que 0",
         "il compte des 64ᵉˢ : 64 vaut 1 (air), 85.12 vaut 1.33 (eau), 96 vaut 1.5 (verre)";
     }
     /// The bottom right corner is not where the others put it.

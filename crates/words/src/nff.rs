@@ -35,10 +35,11 @@ phrases! {
     ended(due) { "the file ends where {due} is due", "le fichier se termine là où l'on attend {due}" }
     ended_help() { "perhaps the file is cut: copy it again", "le fichier est peut-être tronqué : recopiez-le" }
     out_of_range(what, found) { "{what} is {found}", "{what} vaut {found}" }
-    range_help(what, least, greatest) { "{what} lies within {least} and {greatest}", "{what} va de {least} à {greatest}" }
+    least_help(what, least) { "{what} is at least {least}", "{what} vaut au moins {least}" }
+    range_help(what, least, greatest) { "{what} lies between {least} and {greatest}", "{what} va de {least} à {greatest}" }
     clamped(what, found, taken) { "{what} is {found}; {taken} is taken for it", "{what} vaut {found} ; {taken} est pris à sa place" }
     clamped_help() {
-        "colours and coefficients lie within 0 and 1, an exponent within 0 and 10000",
+        "colours and coefficients lie between 0 and 1, an exponent between 0 and 10000",
         "couleurs et coefficients vont de 0 à 1, un exposant de 0 à 10000",
     }
     count(what, found) { "{what} is `{found}`", "{what} vaut « {found} »" }

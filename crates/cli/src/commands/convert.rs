@@ -5,17 +5,15 @@ use crate::documents::{self, Content};
 use crate::form::{Form, Written};
 use crate::{Context, Exit, Failure, flags, target};
 use clap::{ArgMatches, Command, value_parser};
-use lancer_formats::load::{FolderOfDocument, LoadOptions};
-use lancer_formats::mesh::MeshFiles;
+use lancer_formats::load::LoadOptions;
 use lancer_formats::n7_2009;
 use lancer_formats::picture::{self, Format};
-use lancer_formats::{nff, save, xml};
-use lancer_scene::{Mesh, Object, Scene, Shape, View};
+use lancer_formats::save::{self, Origin, SceneFormat};
+use lancer_formats::{nff, xml};
+use lancer_scene::View;
 use lancer_words::Lang;
 use lancer_words::cli::help;
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// What the command line asks to be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,8 +69,12 @@ pub(crate) fn run(matches: &ArgMatches, context: &Context) -> Result<Exit, Failu
         document = documents::read_views(input, &options)?;
     }
     let written = match (document.accepted(&console)?, form) {
+        (Content::Scene(scene), Form::Xml) => {
+            // in the canonical layout, whatever the input's was
+            let origin = Some(Origin { path: input, document: None });
+            Written::whole(save::scene_bytes(&scene, SceneFormat::Xml, output, origin, options))
+        }
         (Content::Scene(scene), form) => {
-            let scene = if form == Form::Xml { with_files_of(output, &scene, options) } else { scene };
             form.of_scene(&scene, output, || camera(matches, is_both, &options, &console))?
         }
         (Content::Views(views), Form::Xml) => Written::whole(xml::write_views(&views).into_bytes()),
@@ -125,35 +127,4 @@ fn wanted(matches: &ArgMatches, output: &Path) -> Result<Wanted, Failure> {
         },
         None => Err(Failure::UnknownForm { path: output.to_owned() }),
     }
-}
-
-/// The scene as a document at `output` can hold it. A mesh stays the name of its file where that file, seen from the
-/// new document's folder, is the same mesh; elsewhere its vertices are written out.
-fn with_files_of(output: &Path, scene: &Scene, options: LoadOptions) -> Scene {
-    let mut files = FolderOfDocument::new(output, options);
-    let mut compared = HashMap::new();
-    let mut is_there = |mesh: &Mesh, path: &str, has_material: bool| {
-        files.read(path).is_ok_and(|file| {
-            let geometry = if has_material { file.without_materials() } else { file.geometry };
-            // what many objects share is compared once
-            let pair = [Arc::as_ptr(&geometry), Arc::as_ptr(&mesh.geometry)];
-            *compared.entry(pair).or_insert_with(|| geometry == mesh.geometry)
-        })
-    };
-    let objects = scene.objects.iter().map(|object| match &object.shape {
-        Shape::Mesh(mesh) => match &mesh.source {
-            Some(path) if !is_there(mesh, path, object.material != lancer_scene::MaterialRef::Default) => {
-                let shape = Shape::Mesh(Mesh { source: None, ..mesh.clone() });
-                Arc::new(Object { shape, ..Object::clone(object) })
-            }
-            Some(_) | None => Arc::clone(object),
-        },
-        Shape::Sphere { .. }
-        | Shape::Plane { .. }
-        | Shape::Facet { .. }
-        | Shape::Cube { .. }
-        | Shape::Parallelepiped { .. }
-        | Shape::Cone { .. } => Arc::clone(object),
-    });
-    Scene { objects: objects.collect(), ..scene.clone() }
 }

@@ -73,6 +73,16 @@ impl Points {
     }
 }
 
+/// How an element that is missing may be written.
+fn sample(element: &str) -> &'static str {
+    match element {
+        "Couleur" => r#"<Couleur r="50" v="50" b="50"/>"#,
+        "Matiere" => r#"<Matiere><Diffuse><Couleur r="200" v="40" b="40"/></Diffuse></Matiere>"#,
+        "PointVue" => r#"<PointVue><Point x="0" y="20" z="600"/></PointVue>"#,
+        _ => r#"<Sphere rayon="10"><Point x="0" y="0" z="0"/></Sphere>"#,
+    }
+}
+
 impl N7Problem {
     fn told(&self, lang: Lang) -> (&'static str, Report) {
         use N7Problem as P;
@@ -93,7 +103,8 @@ impl N7Problem {
             }
             P::StrayText { parent } => ("n7::stray-text", words::stray_text(lang, parent)),
             P::MissingElement { parent, due } => {
-                ("n7::missing-element", words::missing_element(lang, parent, any_of(lang, due)))
+                let sample = due.first().map_or("", |due| sample(due));
+                ("n7::missing-element", words::missing_element(lang, parent, any_of(lang, due), sample))
             }
             P::MissingAttribute { name, element } => {
                 ("n7::missing-attribute", words::missing_attribute(lang, name, element))
@@ -108,7 +119,9 @@ impl N7Problem {
             }
             P::EarlierColour { line } => ("n7::earlier-colour", words::earlier_colour(lang, line)),
             P::Clamped { name, found, min, max } => {
-                ("n7::clamped", words::clamped(lang, name, shortest(*found), shortest(*min), shortest(*max)))
+                let numbers = [*found, found.clamp(*min, *max), *min, *max];
+                let [found, taken, min, max] = numbers.map(shortest);
+                ("n7::clamped", words::clamped(lang, name, found, taken, min, max))
             }
             P::BadIndex { found } => ("n7::bad-index", words::bad_index(lang, shortest(*found))),
             P::CrookedCorner => ("n7::crooked-corner", words::crooked_corner(lang)),

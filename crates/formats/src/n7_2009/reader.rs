@@ -2,7 +2,7 @@
 
 use super::{FULL, N7Problem, Points};
 use crate::xml::sink::Sink;
-use crate::xml::{Document, Element, Excerpt, Guess, Node, Number};
+use crate::xml::{Document, Element, Excerpt, Node, Number};
 use lancer_scene::{Color, DVec3, Invalid, Rgb, limits};
 
 /// An element of the format, with its attributes and what stands in it.
@@ -66,7 +66,7 @@ impl<'d> Reader<'d> {
                 let problem = N7Problem::UnknownAttribute {
                     name: Excerpt::new(attribute.name),
                     element: rule.name,
-                    guess: Guess::among(attribute.name, words),
+                    guess: self.sink.guess(attribute.name, words),
                     legal: rule.attributes,
                 };
                 self.sink.warning(attribute.name_span, problem);
@@ -81,12 +81,13 @@ impl<'d> Reader<'d> {
                         let problem = N7Problem::UnknownElement {
                             name: Excerpt::new(child.name()),
                             parent: rule.name,
-                            guess: Guess::among(child.name(), rule.elements.iter().copied()),
+                            guess: self.sink.guess(child.name(), rule.elements.iter().copied()),
                             legal: rule.elements,
                         };
                         self.sink.warning(child.name_span(), problem);
                     }
                 },
+                Node::Text(text) if text.is_blank() => {}
                 Node::Text(text) => {
                     self.sink.warning(text.trimmed_span(), N7Problem::StrayText { parent: rule.name });
                 }

@@ -199,6 +199,9 @@ impl Describe for NffProblem {
             NffProblem::UnknownOfView { .. } | NffProblem::ViewLacks { .. } => words::view_help(lang),
             NffProblem::NotANumber { .. } => words::number_help(lang),
             NffProblem::Ended { .. } => words::ended_help(lang),
+            NffProblem::OutOfRange { what, least, greatest: f64::MAX, .. } => {
+                words::least_help(lang, what.told(lang), shortest(*least))
+            }
             NffProblem::OutOfRange { what, least, greatest, .. } => {
                 words::range_help(lang, what.told(lang), shortest(*least), shortest(*greatest))
             }

@@ -2,7 +2,7 @@
 //! pouvoir être affichée dans un format texte»).
 //!
 //! Everything is shown in document order, in the subject's terms, with aligned columns that fit 100 characters unless
-//! names or numbers are very long. A colour of three equal numbers is shown as one.
+//! numbers are very long; a very long name stands on a line of its own. A colour of three equal numbers is shown as one.
 
 mod called;
 mod materials;
@@ -25,7 +25,8 @@ const COLUMNS: usize = 100;
 
 /// The whole scene as text; every line ends with a line feed.
 pub fn describe(scene: &Scene, lang: Lang) -> String {
-    let title = if scene.name.is_empty() { words::untitled(lang) } else { clean(&scene.name) };
+    let title = scene.name.trim_matches(' ');
+    let title = if title.is_empty() { words::untitled(lang) } else { clean(title) };
     let counts = words::counts(
         lang,
         count::objects(lang, scene.objects.len()),

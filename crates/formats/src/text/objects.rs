@@ -33,13 +33,24 @@ pub(super) fn lines(scene: &Scene, lang: Lang) -> Vec<String> {
     let indent = table.width() + 3;
     let mut geometries = geometry_lines(scene, lang, COLUMNS.saturating_sub(indent));
     let mut extents = Extents::default();
-    let mut lines = table.lines().into_iter();
-    let beside = |line: String, right: &str| format!("{line}{:1$}{right}", "", indent - line.width());
-    let mut text: Vec<String> = lines.next().map(|line| beside(line, &term::geometry(lang))).into_iter().collect();
-    for (line, object) in lines.zip(&scene.objects) {
+    let mut rows = table.rows().into_iter();
+    // beside the last line of a row, or below it where that is too wide
+    let beside = |row: Vec<String>, right: &str| {
+        let mut lines = row;
+        let width = lines.last().map_or(0, |line| line.width());
+        if width >= indent {
+            lines.push(String::new());
+        }
+        if let Some(line) = lines.last_mut() {
+            *line = format!("{line}{:1$}{right}", "", indent - line.width());
+        }
+        lines
+    };
+    let mut text: Vec<String> = rows.next().map(|heading| beside(heading, &term::geometry(lang))).unwrap_or_default();
+    for (row, object) in rows.zip(&scene.objects) {
         let mut geometry = geometries[kind(&object.shape)].next().unwrap_or_default().into_iter();
-        text.push(beside(line, &geometry.next().unwrap_or_default()));
-        text.extend(geometry.map(|line| beside(String::new(), &line)));
+        text.extend(beside(row, &geometry.next().unwrap_or_default()));
+        text.extend(geometry.flat_map(|line| beside(vec![String::new()], &line)));
         if let Shape::Mesh(mesh) = &object.shape {
             let bounds = extents.of(&object.shape);
             let material = |material: &MaterialRef| own.label(material, &object.name, lang);

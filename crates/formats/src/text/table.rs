@@ -25,6 +25,9 @@ impl Cell {
     }
 }
 
+/// Words that are wider do not widen their column: what stands to their right goes to a line of its own.
+const WIDEST: usize = 32;
+
 /// Rows of cells. Each column says how many blanks stand before it, unless it is empty; rows may be shorter than the
 /// table.
 #[derive(Debug)]
@@ -67,6 +70,7 @@ impl Table {
             for (cell, width) in row.iter().zip(&mut widths) {
                 match cell {
                     Cell::Blank | Cell::Over(_) => {}
+                    Cell::Text(text) if text.width() > WIDEST => {}
                     Cell::Text(text) => width.text = width.text.max(text.width()),
                     Cell::Number(number) => {
                         let (whole, fraction) = split(number);
@@ -86,9 +90,14 @@ impl Table {
 
     /// The lines, without blanks at their ends.
     pub(super) fn lines(&self) -> Vec<String> {
+        self.rows().into_iter().flatten().collect()
+    }
+
+    /// The lines of each row: more than one where a name is very wide.
+    pub(super) fn rows(&self) -> Vec<Vec<String>> {
         let widths = self.widths();
-        let line = |row: &Vec<Cell>| {
-            let mut line = String::new();
+        let lines = |row: &Vec<Cell>| {
+            let mut lines = vec![String::new()];
             let (mut start, mut filled) = (0, 0);
             for ((cell, width), gap) in row.iter().zip(&widths).zip(&self.gaps) {
                 let end = start + width.total_after(*gap);
@@ -98,18 +107,24 @@ impl Table {
                     Cell::Number(number) => width.whole - split(number).0.len(),
                 };
                 if let Cell::Text(text) | Cell::Over(text) | Cell::Number(text) = cell {
-                    // Words over several columns may reach further than these.
+                    // Words over several columns may reach further than these; very wide ones end the line.
+                    if matches!(cell, Cell::Text(_) | Cell::Number(_)) && filled >= start + indent && filled > 0 {
+                        lines.push(String::new());
+                        filled = 0;
+                    }
                     let blanks = (start + indent).saturating_sub(filled);
-                    line.extend(std::iter::repeat_n(' ', blanks));
-                    line.push_str(text);
+                    if let Some(line) = lines.last_mut() {
+                        line.extend(std::iter::repeat_n(' ', blanks));
+                        line.push_str(text);
+                    }
                     filled += blanks + text.width();
                 }
                 start = end;
             }
-            line.truncate(line.trim_end().len());
-            line
+            lines.iter_mut().for_each(|line| line.truncate(line.trim_end().len()));
+            lines
         };
-        self.rows.iter().map(line).collect()
+        self.rows.iter().map(lines).collect()
     }
 }
 
@@ -131,5 +146,21 @@ mod tests {
         table.push(vec![Cell::text("a"), Cell::Blank, Cell::number(0.125)]);
         assert_eq!(table.lines(), ["  name   Ka", "  é球    10.25 -1", "          0.5", "  a             0.125"]);
         assert_eq!(table.width(), 21);
+    }
+
+    #[test]
+    fn a_very_wide_name_stands_on_a_line_of_its_own() {
+        let wide = "球".repeat(17);
+        let mut table = Table::new([2, 3, 1]);
+        table.push(vec![Cell::text("name"), Cell::text("Ka")]);
+        table.push(vec![Cell::text(wide.clone()), Cell::number(1.5), Cell::number(2.0)]);
+        table.push(vec![Cell::text("a"), Cell::text(wide.clone())]);
+        let rows = [
+            vec!["  name   Ka".to_owned()],
+            vec![format!("  {wide}"), "         1.5 2".into()],
+            vec![format!("  a      {wide}")],
+        ];
+        assert_eq!(table.rows(), rows);
+        assert_eq!(table.width(), 14);
     }
 }

@@ -30,7 +30,8 @@ pub(super) fn contents<'d>(
                     }
                 }
             }
-            Node::Text(text) if rule.text == TextRule::Nothing => {
+            // white space may be written as a reference or within CDATA
+            Node::Text(text) if rule.text == TextRule::Nothing && !text.is_blank() => {
                 sink.error(text.trimmed_span(), StructureProblem::StrayText { parent: rule.name });
             }
             Node::Text(_) | Node::Comment(_) | Node::Instruction(_) => {}

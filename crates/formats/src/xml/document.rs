@@ -231,6 +231,11 @@ impl<'d> Text<'d> {
         if self.literal { Cow::Borrowed(self.raw) } else { unescape(self.raw, false) }
     }
 
+    /// Whether it means nothing but white space.
+    pub fn is_blank(&self) -> bool {
+        self.value().bytes().all(is_blank)
+    }
+
     /// The bytes without the white space around them.
     pub fn trimmed_span(&self) -> Span {
         let blank = |character: char| u8::try_from(character).is_ok_and(is_blank);

@@ -190,7 +190,10 @@ pub(super) fn decode(name: Arc<str>, bytes: &[u8]) -> Result<(Source, Encoding),
     let mut head: &[u8] = &body[..body.len().min(DECLARATION_BYTES)];
     let narrowed;
     if let Some(Charset::Utf16 { big_endian }) = marked {
-        narrowed = head.iter().skip(usize::from(big_endian)).step_by(2).copied().collect::<Vec<u8>>();
+        let unit = |pair: &[u8; 2]| if big_endian { u16::from_be_bytes(*pair) } else { u16::from_le_bytes(*pair) };
+        // what is wider than a byte is not ASCII, and 255 is not either
+        narrowed =
+            head.as_chunks().0.iter().map(|pair| u8::try_from(unit(pair)).unwrap_or(u8::MAX)).collect::<Vec<u8>>();
         head = &narrowed;
     }
     let declared = declared_label(head);
@@ -229,7 +232,8 @@ pub(super) fn decode(name: Arc<str>, bytes: &[u8]) -> Result<(Source, Encoding),
     }
 }
 
-/// The encoding that an XML declaration at the head of a file names, and its place.
+/// The encoding that an XML declaration at the head of a file names, and its place, which is the same in the text
+/// because all before it is ASCII.
 fn declared_label(head: &[u8]) -> Option<(String, Span)> {
     let head = head.strip_prefix(b"<?xml").map(|_| head)?;
     let end = head.windows(2).position(|pair| pair == b"?>")?;
@@ -240,6 +244,9 @@ fn declared_label(head: &[u8]) -> Option<(String, Span)> {
     }
     let length = head[value + 1..end].iter().position(|&byte| byte == head[value])?;
     let span = Span { start: value + 1, end: value + 1 + length };
+    if !head[..span.end].is_ascii() {
+        return None;
+    }
     let label = std::str::from_utf8(&head[span.start..span.end]).ok()?;
     Some((label.to_owned(), span))
 }
@@ -275,6 +282,26 @@ mod tests {
         assert_eq!(encoding("ISO-8859-1").encode("é€"), b"\xE9&#8364;");
         assert_eq!(encoding("windows-1252").encode("é€→"), b"\xE9\x80&#8594;");
         assert_eq!(encoding("US-ASCII").encode("é"), b"&#233;");
+    }
+
+    /// A declaration that is damaged before the encoding's name tells nothing: its place in the bytes would be another in
+    /// the text.
+    #[test]
+    fn a_damaged_declaration_is_no_declaration() {
+        let wide = |text: &str| -> Vec<u8> {
+            std::iter::once(0xFEFF).chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect()
+        };
+        for bytes in [
+            b"<?xml version=\"\xE9.0\" encoding=\"EBCDIC\"?><a/>".to_vec(),
+            wide("<?xml versi\u{6F00}n=\"1.0\" encoding=\"UTF-8\"?><a/>"),
+            wide("<?xml version=\"1.0\" encoding=\"UTF-\u{6F08}\"?><a/>"),
+        ] {
+            if let Err((source, Some(span), problem)) = decode("a.xml".into(), &bytes) {
+                let boundary = |at| source.text.is_char_boundary(at);
+                assert!(boundary(span.start) && boundary(span.end), "{problem:?} {:?}", source.text);
+                assert!(matches!(problem, SyntaxProblem::BadBytes { .. }), "{problem:?} {:?}", source.text);
+            }
+        }
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub(super) struct Fields<'d> {
     element: Element<'d>,
     values: Vec<(&'static AttributeRule, Value<'d>, Span)>,
     sound: bool,
+    /// The attributes that unknown ones were probably meant to be: they are not told to be missing too.
+    meant: Vec<Excerpt>,
 }
 
 impl<'d> Fields<'d> {
@@ -36,10 +38,9 @@ impl<'d> Fields<'d> {
         stands: Stands,
         sink: &mut Sink<'_>,
     ) -> Fields<'d> {
-        let mut fields = Fields { rule, element, values: Vec::with_capacity(rule.attributes.len()), sound: true };
+        let values = Vec::with_capacity(rule.attributes.len());
+        let mut fields = Fields { rule, element, values, sound: true, meant: Vec::new() };
         let mut seen = 0_u64;
-        // The attributes that unknown ones were probably meant to be: they are not told to be missing too.
-        let mut meant: Vec<Excerpt> = Vec::new();
         let takes = |attribute: &AttributeRule| match (attribute.presence, stands) {
             (Presence::AtRoot(_), stands) => stands == Stands::AtRoot,
             (Presence::Required(_), Stands::Inline) => false,
@@ -50,7 +51,7 @@ impl<'d> Fields<'d> {
             match known {
                 Some((number, known)) if takes(known) => {
                     seen |= 1 << number;
-                    match sink.keep(known.kind.read(known.name, &attribute.written())) {
+                    match sink.keep_all(known.kind.read(known.name, &attribute.written())) {
                         Some(value) => fields.values.push((known, value, attribute.value_span)),
                         None => fields.sound = false,
                     }
@@ -64,7 +65,7 @@ impl<'d> Fields<'d> {
                     let legal: Vec<&'static str> =
                         rule.attributes.iter().filter(|known| takes(known)).map(|known| known.name).collect();
                     let guess = sink.guess(attribute.name, legal.iter().copied());
-                    meant.extend(guess.0.clone());
+                    fields.meant.extend(guess.0.clone());
                     let name = Excerpt::new(attribute.name);
                     let problem = StructureProblem::UnknownAttribute { name, element: rule.name, guess, legal };
                     sink.error(attribute.name_span, problem);
@@ -75,7 +76,7 @@ impl<'d> Fields<'d> {
         for (number, attribute) in rule.attributes.iter().enumerate() {
             if let Presence::Required(sample) | Presence::AtRoot(sample) = attribute.presence
                 && takes(attribute)
-                && !meant.iter().any(|meant| meant.as_ref() == attribute.name)
+                && !fields.meant(attribute.name)
                 && seen & (1 << number) == 0
             {
                 let problem = StructureProblem::MissingAttribute { name: attribute.name, element: rule.name, sample };
@@ -89,6 +90,11 @@ impl<'d> Fields<'d> {
     /// Whether every attribute is legal.
     pub(super) fn are_sound(&self) -> bool {
         self.sound
+    }
+
+    /// Whether an unknown attribute was probably meant to be this one.
+    pub(super) fn meant(&self, name: &str) -> bool {
+        self.meant.iter().any(|meant| meant.as_ref() == name)
     }
 
     /// The place of the element's name.

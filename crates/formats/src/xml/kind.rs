@@ -1,7 +1,9 @@
 //! The types of the vocabulary: how a value of each is read from a document and how it is written into one.
 
+use super::number::MOST_FAULTS;
+use super::reference::is_blank;
 use super::vocabulary::{Kind, STEPS, VERSION};
-use super::{Due, Excerpt, Guess, Number, StructureProblem, ValueProblem, Written, shortest};
+use super::{Due, Excerpt, Guess, StructureProblem, ValueProblem, Written, shortest};
 use crate::{Diagnostic, Span};
 use lancer_scene::{Invalid, Steps, limits};
 use std::borrow::Cow;
@@ -21,68 +23,55 @@ pub(super) enum Value<'d> {
     Run(u32, u32),
 }
 
-type Read<'d> = Result<Value<'d>, Box<Diagnostic>>;
+/// The value, or everything that is wrong with it.
+type Read<'d> = Result<Value<'d>, Vec<Diagnostic>>;
 
 impl Kind {
     /// The value of a text, or what is wrong with it; `field` is the attribute's name.
     pub(super) fn read<'d>(self, field: &'static str, written: &Written<'d>) -> Read<'d> {
         const FAR: f64 = limits::COORDINATE;
-        let within = |numbers: &[Number], min, max| in_range(field, numbers, min, max);
-        Ok(match self {
-            Kind::Version => return version(written),
-            Kind::Text => Value::Text(on_one_line(written)),
-            Kind::Name | Kind::MaterialName | Kind::Path => return name(written),
-            Kind::Color => return color(field, written),
-            Kind::Channels(min, max) => {
-                let numbers = written.one_or_three()?;
-                within(&numbers, min, max)?;
-                triple(numbers)
-            }
-            Kind::Factors => {
-                let numbers = written.one_or_three()?;
-                within(&numbers, -FAR, FAR)?;
-                triple(numbers)
-            }
-            Kind::Point => {
-                let numbers = written.triple()?;
-                within(&numbers, -FAR, FAR)?;
-                triple(numbers)
-            }
-            Kind::Length => {
-                let number = written.number()?;
-                within(&[number], limits::LEAST, FAR)?;
-                Value::Number(number.value)
-            }
-            Kind::Number(min, max) => {
-                let number = written.number()?;
-                within(&[number], min, max)?;
-                Value::Number(number.value)
-            }
+        let triple = |due, min, max| {
+            let (numbers, count) = written.counted::<3>(due, in_range(field, min, max))?;
+            let numbers = numbers.map(|number| number.value);
+            Ok(Value::Triple(if count == 1 { [numbers[0]; 3] } else { numbers }))
+        };
+        let one = |min, max| {
+            let ([number], _) = written.counted(Due::One, in_range(field, min, max))?;
+            Ok(Value::Number(number.value))
+        };
+        match self {
+            Kind::Version => version(written),
+            Kind::Text => Ok(Value::Text(on_one_line(written))),
+            Kind::Name | Kind::MaterialName | Kind::Path => name(written),
+            Kind::Color => color(field, written),
+            Kind::Channels(min, max) => triple(Due::OneOrThree, min, max),
+            Kind::Factors => triple(Due::OneOrThree, -FAR, FAR),
+            Kind::Point => triple(Due::Three, -FAR, FAR),
+            Kind::Length => one(limits::LEAST, FAR),
+            Kind::Number(min, max) => one(min, max),
             Kind::Integer(min, max) => {
-                let number = written.number()?;
+                let ([number], _) = written.counted(Due::One, |_| None)?;
                 if number.value.fract() != 0.0 {
                     return fault(number.span, ValueProblem::NotWhole { found: Excerpt::new(written.text.trim()) });
                 }
-                within(&[number], f64::from(min), f64::from(max))?;
-                Value::Integer(number.value as u32)
+                match in_range(field, f64::from(min), f64::from(max))(number.value) {
+                    None => Ok(Value::Integer(number.value as u32)),
+                    Some(rule) => fault(number.span, rule),
+                }
             }
             Kind::Size => {
-                let mut numbers = written.blank::<2>();
-                written.fill(&mut numbers, Due::Two)?;
-                within(&numbers, limits::LEAST, FAR)?;
-                Value::Pair(numbers.map(|number| number.value))
+                let (numbers, _) = written.counted::<2>(Due::Two, in_range(field, limits::LEAST, FAR))?;
+                Ok(Value::Pair(numbers.map(|number| number.value)))
             }
             Kind::Corners => {
-                let mut numbers = written.blank::<12>();
-                written.fill(&mut numbers, Due::Twelve)?;
-                within(&numbers, -FAR, FAR)?;
+                let (numbers, _) = written.counted::<12>(Due::Twelve, in_range(field, -FAR, FAR))?;
                 let corner = |from: usize| std::array::from_fn(|axis| numbers[from + axis].value);
-                Value::Corners(Box::new([corner(0), corner(3), corner(6), corner(9)]))
+                Ok(Value::Corners(Box::new([corner(0), corner(3), corner(6), corner(9)])))
             }
-            Kind::Choice(legal) => Value::Word(word(legal, written.text.trim(), written.span)?),
-            Kind::Steps => return steps(written),
-            Kind::Run => return run(written),
-        })
+            Kind::Choice(legal) => word(legal, trimmed(&written.text), written.span).map(Value::Word),
+            Kind::Steps => steps(written),
+            Kind::Run => run(written),
+        }
     }
 
     /// A value as the canonical layout writes it, without escapes.
@@ -131,24 +120,22 @@ pub(super) fn in_a_row(numbers: &[f64]) -> String {
     numbers.iter().map(|number| shortest(*number)).collect::<Vec<_>>().join(" ")
 }
 
-fn fault<T>(span: Span, problem: impl Into<crate::Problem>) -> Result<T, Box<Diagnostic>> {
-    Err(Box::new(Diagnostic::error(span, problem)))
+fn fault<T>(span: Span, problem: impl Into<crate::Problem>) -> Result<T, Vec<Diagnostic>> {
+    Err(vec![Diagnostic::error(span, problem)])
 }
 
-/// The first number outside the range.
-pub(super) fn in_range(field: &'static str, numbers: &[Number], min: f64, max: f64) -> Result<(), Box<Diagnostic>> {
-    match numbers.iter().find(|number| !(min..=max).contains(&number.value)) {
-        None => Ok(()),
-        Some(Number { value, span }) => fault(*span, Invalid::OutOfRange { field, value: *value, min, max }),
-    }
+/// The rule that a number lies within a range.
+fn in_range(field: &'static str, min: f64, max: f64) -> impl Fn(f64) -> Option<Invalid> {
+    move |value| (!(min..=max).contains(&value)).then_some(Invalid::OutOfRange { field, value, min, max })
 }
 
-fn triple<'d>(numbers: [Number; 3]) -> Value<'d> {
-    Value::Triple(numbers.map(|number| number.value))
+/// A text without XML's white space around it; other blanks separate no values either.
+fn trimmed(text: &str) -> &str {
+    text.trim_matches(|character| u8::try_from(character).is_ok_and(is_blank))
 }
 
 fn version<'d>(written: &Written<'d>) -> Read<'d> {
-    match written.text.trim() {
+    match trimmed(&written.text) {
         VERSION => Ok(Value::Integer(1)),
         other => fault(written.span, StructureProblem::BadVersion { found: Excerpt::new(other) }),
     }
@@ -179,7 +166,7 @@ fn name<'d>(written: &Written<'d>) -> Read<'d> {
 }
 
 fn color<'d>(field: &'static str, written: &Written<'d>) -> Read<'d> {
-    let text = written.text.trim();
+    let text = trimmed(&written.text);
     if let Some(digits) = text.strip_prefix('#') {
         let byte = |at: usize| u8::from_str_radix(digits.get(at..at + 2)?, 16).ok();
         let six = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
@@ -188,18 +175,34 @@ fn color<'d>(field: &'static str, written: &Written<'d>) -> Read<'d> {
             _ => fault(written.span, ValueProblem::NotAColor { found: Excerpt::new(text) }),
         };
     }
-    let numbers = written.one_or_three()?;
-    let values = numbers.map(|number| number.value);
-    let bytes = values.map(|value| (value.fract() == 0.0 && (0.0..=255.0).contains(&value)).then_some(value as u8));
-    if let ([Some(r), Some(g), Some(b)], true) = (bytes, values.iter().any(|value| *value >= 16.0)) {
-        let suggestion = Excerpt::new(&format!("#{r:02x}{g:02x}{b:02x}"));
-        return fault(written.span, ValueProblem::ColorInBytes { found: Excerpt::new(text), suggestion });
+    // The names of colours are none of ours, and "no number" would not say what is due.
+    if text.starts_with(|first: char| first.is_alphabetic()) {
+        return fault(written.span, ValueProblem::NotAColor { found: Excerpt::new(text) });
     }
-    in_range(field, &numbers, 0.0, 1.0)?;
-    Ok(Value::Triple(values))
+    let one_or_three = |rule: &dyn Fn(f64) -> Option<Invalid>| {
+        let (numbers, count) = written.counted::<3>(Due::OneOrThree, rule)?;
+        let values = numbers.map(|number| number.value);
+        Ok(if count == 1 { [values[0]; 3] } else { values })
+    };
+    let bytes = |values: [f64; 3]| {
+        let byte = |value: f64| (value.fract() == 0.0 && (0.0..=255.0).contains(&value)).then_some(value as u8);
+        match values.map(byte) {
+            [Some(r), Some(g), Some(b)] if values.iter().any(|value| *value >= 16.0) => Some([r, g, b]),
+            _ => None,
+        }
+    };
+    let whole = |faults: Vec<Diagnostic>| match one_or_three(&|_| None).ok().and_then(bytes) {
+        Some([r, g, b]) => {
+            let suggestion = Excerpt::new(&format!("#{r:02x}{g:02x}{b:02x}"));
+            let problem = ValueProblem::ColorInBytes { found: Excerpt::new(text), suggestion };
+            vec![Diagnostic::error(written.span, problem)]
+        }
+        None => faults,
+    };
+    one_or_three(&in_range(field, 0.0, 1.0)).map(Value::Triple).map_err(whole)
 }
 
-fn word(legal: &'static [&'static str], found: &str, span: Span) -> Result<&'static str, Box<Diagnostic>> {
+fn word(legal: &'static [&'static str], found: &str, span: Span) -> Result<&'static str, Vec<Diagnostic>> {
     match legal.iter().find(|word| **word == found) {
         Some(word) => Ok(word),
         None => {
@@ -214,31 +217,38 @@ fn word(legal: &'static [&'static str], found: &str, span: Span) -> Result<&'sta
 }
 
 fn steps<'d>(written: &Written<'d>) -> Read<'d> {
-    let mut steps = Steps::default();
-    let parted = |character: char| character.is_whitespace() || character == ',';
-    for name in written.text.split(parted).filter(|name| !name.is_empty()) {
-        let start = name.as_ptr() as usize - written.text.as_ptr() as usize;
-        match word(STEPS, name, written.place(start, start + name.len()))? {
-            "shadows" => steps.shadows = false,
-            "reflection" => steps.reflection = false,
-            _ => steps.transparency = false,
+    let (mut steps, mut faults) = (Steps::default(), Vec::new());
+    let mut tokens = written.numbers();
+    while let Some(token) = tokens.token() {
+        let found = match token {
+            Ok((start, end)) => word(STEPS, &written.text[start..end], written.place(start, end)),
+            Err(fault) => Err(vec![*fault]),
+        };
+        match found {
+            Ok("shadows") => steps.shadows = false,
+            Ok("reflection") => steps.reflection = false,
+            Ok(_) => steps.transparency = false,
+            Err(_) if faults.len() >= MOST_FAULTS => {}
+            Err(fault) => faults.extend(fault),
         }
     }
-    Ok(Value::Steps(steps))
+    if faults.is_empty() { Ok(Value::Steps(steps)) } else { Err(faults) }
 }
 
 fn run<'d>(written: &Written<'d>) -> Read<'d> {
     let mut numbers = written.numbers();
-    let (mut found, mut count) = ([0; 2], 0);
+    let (mut found, mut count, mut faults) = ([0; 2], 0, Vec::new());
     while let Some(number) = numbers.next_index() {
-        let (number, _) = number?;
-        if let Some(place) = found.get_mut(count) {
-            *place = number;
+        match (number, found.get_mut(count)) {
+            (Ok((number, _)), Some(place)) => *place = number,
+            (Err(fault), _) if faults.len() < MOST_FAULTS => faults.push(*fault),
+            (Ok(_) | Err(_), _) => {}
         }
         count += 1;
     }
     match count {
+        _ if !faults.is_empty() => Err(faults),
         2 => Ok(Value::Run(found[0], found[1])),
-        _ => Err(written.miscounted(count, Due::Two)),
+        _ => Err(vec![*written.miscounted(count, Due::Two)]),
     }
 }

@@ -5,6 +5,7 @@ use super::document::{Attribute, Text};
 use super::reference::is_blank;
 use super::{Due, Excerpt, ValueProblem};
 use crate::{Diagnostic, Span};
+use lancer_scene::Invalid;
 use std::borrow::Cow;
 
 /// A text and its place: an attribute's value or an element's text.
@@ -37,6 +38,9 @@ impl<'d> Text<'d> {
     }
 }
 
+/// Faults of one value or list that are told: one in another notation would give a fault for every number.
+pub(super) const MOST_FAULTS: usize = 5;
+
 /// A number and its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number {
@@ -52,7 +56,7 @@ impl<'d> Written<'d> {
         Written { text: Cow::Borrowed(text), span: Span { start: 0, end: text.len() }, literal: true }
     }
 
-    /// The numbers in turn; after a fault there are no more.
+    /// The numbers in turn, and the faults between them.
     pub fn numbers(&self) -> Numbers<'_> {
         Numbers { written: self, at: 0, after_comma: false, begun: false }
     }
@@ -62,65 +66,73 @@ impl<'d> Written<'d> {
     /// # Errors
     /// What is no number, or how many there are instead of one.
     pub fn number(&self) -> Result<Number, Box<Diagnostic>> {
-        let mut found = self.blank::<1>();
-        self.fill(&mut found, Due::One)?;
-        Ok(found[0])
+        let ([number], _) = self.counted(Due::One, |_| None).map_err(|mut faults| Box::new(faults.swap_remove(0)))?;
+        Ok(number)
     }
 
-    /// Exactly three numbers.
-    ///
-    /// # Errors
-    /// What is no number, or how many there are instead of three.
-    pub fn triple(&self) -> Result<[Number; 3], Box<Diagnostic>> {
-        let mut found = self.blank();
-        self.fill(&mut found, Due::Three)?;
-        Ok(found)
-    }
-
-    /// Exactly three numbers, or one that stands for three equal ones.
-    ///
-    /// # Errors
-    /// What is no number, or how many there are instead.
-    pub fn one_or_three(&self) -> Result<[Number; 3], Box<Diagnostic>> {
-        let mut found = self.blank();
-        Ok(if self.fill(&mut found, Due::OneOrThree)? == 1 { [found[0]; 3] } else { found })
-    }
-
-    pub(super) fn blank<const N: usize>(&self) -> [Number; N] {
-        [Number { value: 0.0, span: self.span }; N]
-    }
-
-    /// Puts the numbers into `found`, which has room for all that are due; how many there are.
-    pub(super) fn fill(&self, found: &mut [Number], due: Due) -> Result<usize, Box<Diagnostic>> {
-        let mut count = 0;
+    /// As many numbers as are due, of which there is room for `N`, and how many; or everything that is wrong with them:
+    /// what is no number, what a rule says of each, or their count. There is at least one fault then.
+    pub(super) fn counted<const N: usize>(
+        &self,
+        due: Due,
+        rule: impl Fn(f64) -> Option<Invalid>,
+    ) -> Result<([Number; N], usize), Vec<Diagnostic>> {
+        let mut found = [Number { value: 0.0, span: self.span }; N];
+        let (mut count, mut faults, mut broken) = (0, Vec::new(), Vec::new());
         for number in self.numbers() {
-            let number = number?;
-            if let Some(place) = found.get_mut(count) {
-                *place = number;
+            match number {
+                Ok(number) => {
+                    if let Some(place) = found.get_mut(count) {
+                        *place = number;
+                        broken.extend(rule(number.value).map(|rule| Diagnostic::error(number.span, rule)));
+                    }
+                }
+                Err(fault) if faults.len() < MOST_FAULTS => faults.push(*fault),
+                Err(_) => {}
             }
             count += 1;
         }
-        if due.is_met_by(count) { Ok(count) } else { Err(self.miscounted(count, due)) }
+        if due.is_met_by(count) {
+            faults.append(&mut broken);
+        } else if faults.is_empty() {
+            faults.push(*self.miscounted(count, due));
+        }
+        if faults.is_empty() { Ok((found, count)) } else { Err(faults) }
     }
 
-    /// The fault of a wrong count of numbers. If the count is legal once every comma between two digits is read as a
-    /// decimal one, that is the fault.
+    /// The fault of a wrong count of numbers. If the count is legal once commas between digits are read as decimal ones,
+    /// that is the fault.
     pub(super) fn miscounted(&self, found: usize, due: Due) -> Box<Diagnostic> {
-        let bytes = self.text.as_bytes();
-        let digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
-        let mut tight =
-            memchr::memchr_iter(b',', bytes).filter(|&at| digit(at.checked_sub(1)) && digit(Some(at + 1))).peekable();
-        if let Some(&first) = tight.peek()
-            && found.checked_sub(tight.count()).is_some_and(|count| due.is_met_by(count))
-        {
-            let start = bytes[..first].iter().rposition(|&byte| is_blank(byte)).map_or(0, |at| at + 1);
-            let length = bytes[first..].iter().position(|&byte| is_blank(byte)).unwrap_or(bytes.len() - first);
-            let fraction = &self.text[start..first + length];
-            let suggestion = Excerpt::new(&fraction.replace(',', "."));
-            let problem = ValueProblem::DecimalComma { found: Excerpt::new(fraction), suggestion };
-            return Box::new(Diagnostic::error(self.place(start, first + length), problem));
+        if let Some((start, end)) = self.decimal_comma(due) {
+            let numbers = &self.text[start..end];
+            let parts: Vec<&str> = numbers.split(',').collect();
+            let suggestion = parts.chunks(2).map(|number| number.join(".")).collect::<Vec<_>>().join(" ");
+            let (found, suggestion) = (Excerpt::new(numbers), Excerpt::new(&suggestion));
+            let problem = ValueProblem::DecimalComma { found, suggestion };
+            return Box::new(Diagnostic::error(self.place(start, end), problem));
         }
         Box::new(Diagnostic::error(self.span, ValueProblem::NumberCount { found, due }))
+    }
+
+    /// The first numbers with decimal commas, such as `0,5` or `0,2,0,3`, if as many numbers as are due stand there once
+    /// every second comma between two blanks is read as a decimal one.
+    fn decimal_comma(&self, due: Due) -> Option<(usize, usize)> {
+        let (mut count, mut first) = (0, None);
+        for token in self.text.split(|character: char| u8::try_from(character).is_ok_and(is_blank)) {
+            let token = token.trim_matches(',');
+            let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit()) && !part.is_empty();
+            let parts = token.split(',').count();
+            if parts == 1 {
+                count += usize::from(!token.is_empty());
+            } else if parts % 2 == 0 && token.split(',').skip(1).step_by(2).all(digits) {
+                let start = token.as_ptr() as usize - self.text.as_ptr() as usize;
+                first = first.or(Some((start, start + token.len())));
+                count += parts / 2;
+            } else {
+                return None;
+            }
+        }
+        first.filter(|_| due.is_met_by(count))
     }
 
     /// Whether the text is the source's own: line ends and tabs in it are not yet blanks.
@@ -144,20 +156,24 @@ pub struct Numbers<'w> {
 }
 
 impl Numbers<'_> {
-    /// The next token, or a fault; `None` at the end.
-    fn token(&mut self) -> Option<Result<(usize, usize), Box<Diagnostic>>> {
+    /// The place of the next token, or a fault; `None` at the end.
+    pub(super) fn token(&mut self) -> Option<Result<(usize, usize), Box<Diagnostic>>> {
         let bytes = self.written.text.as_bytes();
         loop {
             while bytes.get(self.at).is_some_and(|&byte| is_blank(byte)) {
                 self.at += 1;
             }
             match bytes.get(self.at) {
-                Some(b',') if self.after_comma || !self.begun => return Some(self.stray_comma(self.at)),
+                Some(b',') if self.after_comma || !self.begun => {
+                    (self.begun, self.after_comma, self.at) = (true, true, self.at + 1);
+                    return Some(self.stray_comma(self.at - 1));
+                }
                 Some(b',') => {
                     self.after_comma = true;
                     self.at += 1;
                 }
                 None if self.after_comma => {
+                    self.after_comma = false;
                     let comma = bytes.iter().rposition(|&byte| byte == b',').unwrap_or_default();
                     return Some(self.stray_comma(comma));
                 }
@@ -173,14 +189,12 @@ impl Numbers<'_> {
         Some(Ok((start, self.at)))
     }
 
-    fn stray_comma(&mut self, at: usize) -> Result<(usize, usize), Box<Diagnostic>> {
-        (self.at, self.after_comma) = (self.written.text.len(), false);
-        Err(Box::new(Diagnostic::error(self.written.place(at, at + 1), ValueProblem::StrayComma)))
+    fn stray_comma(&self, at: usize) -> Result<(usize, usize), Box<Diagnostic>> {
+        self.fault(at, at + 1, ValueProblem::StrayComma)
     }
 
-    /// Ends the numbers with a fault at a token.
-    fn fault<T>(&mut self, start: usize, end: usize, problem: ValueProblem) -> Result<T, Box<Diagnostic>> {
-        self.at = self.written.text.len();
+    /// A fault at a token.
+    fn fault<T>(&self, start: usize, end: usize, problem: ValueProblem) -> Result<T, Box<Diagnostic>> {
         Err(Box::new(Diagnostic::error(self.written.place(start, end), problem)))
     }
 
@@ -198,7 +212,8 @@ impl Numbers<'_> {
         }
         let found = Excerpt::new(token);
         let problem = match parse(token) {
-            Some(value) if value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u32::MAX) => {
+            // a sign has no business here, not even that of -0
+            Some(value) if value.fract() == 0.0 && value <= f64::from(u32::MAX) && !token.contains('-') => {
                 return Some(Ok((value as u32, self.written.place(start, end))));
             }
             Some(_) => ValueProblem::NotWhole { found },
@@ -344,11 +359,37 @@ mod tests {
         };
         let one = comma(written("0,5").number().unwrap_err()).unwrap();
         assert_eq!(one, ("0.5".to_owned(), Span { start: 100, end: 103 }));
-        let three = comma(written("0,25 2,5 3").triple().unwrap_err()).unwrap();
-        assert_eq!(three, ("0.25".to_owned(), Span { start: 100, end: 104 }));
-        assert!(comma(written("0,5").one_or_three().unwrap_err()).is_some());
-        assert!(written("0,5,1").one_or_three().is_ok());
-        assert!(comma(written("0, 5").number().unwrap_err()).is_none());
+        let of = |text: &str, due| comma(Box::new(written(text).counted::<3>(due, |_| None).err()?.swap_remove(0)));
+        for (text, due, meant) in [
+            ("0,25 2,5 3", Due::Three, Some(("0.25", 4))),
+            ("0,5", Due::OneOrThree, Some(("0.5", 3))),
+            ("0,2,0,3,0,4", Due::OneOrThree, Some(("0.2 0.3 0.4", 11))),
+            ("0,2, 0,3, 0,4", Due::Three, Some(("0.2", 3))),
+            ("0,5,1", Due::OneOrThree, None),
+            ("0, 5", Due::One, None),
+            ("1,2,3", Due::One, None),
+            ("1,-5", Due::One, None),
+            ("0,5 0,5", Due::Three, None),
+        ] {
+            let meant = meant.map(|(meant, length)| (meant.to_owned(), Span { start: 100, end: 100 + length }));
+            assert_eq!(of(text, due), meant, "{text}");
+        }
+    }
+
+    /// Everything that is wrong with a value is told at once, in the order of the text, and a few of very many.
+    #[test]
+    fn every_fault_of_a_value_is_told() {
+        let negative = |value: f64| (value < 0.0).then_some(Invalid::Collinear);
+        let faults = |text: &str, due| -> Vec<(&'static str, usize)> {
+            let faults = written(text).counted::<3>(due, negative).unwrap_err();
+            faults.iter().map(|fault| (fault.problem.code(), fault.span.unwrap().start - 100)).collect()
+        };
+        assert_eq!(faults(".5 x 5.", Due::Three).len(), 3);
+        assert_eq!(faults("x -1 2", Due::Three), [("xml::not-a-number", 0), ("rule::collinear", 2)]);
+        assert_eq!(faults("1,,-2,", Due::Three), [("xml::stray-comma", 2), ("xml::stray-comma", 5)]);
+        assert_eq!(faults("x -1", Due::Three), [("xml::not-a-number", 0)]);
+        assert_eq!(faults("-1 -1", Due::Three), [("xml::number-count", 0)]);
+        assert_eq!(faults(&"x ".repeat(1000), Due::Three).len(), MOST_FAULTS);
     }
 
     #[test]
@@ -357,7 +398,7 @@ mod tests {
         let mut numbers = list.numbers();
         let indices: Vec<u32> = std::iter::from_fn(|| numbers.next_index()).map(|index| index.unwrap().0).collect();
         assert_eq!(indices, [0, 7, u32::MAX, 3, 1000]);
-        for text in ["-1", "1.5", "4294967296", "x"] {
+        for text in ["-1", "-0", "1.5", "4294967296", "x"] {
             assert!(written(text).numbers().next_index().unwrap().is_err(), "{text}");
         }
     }

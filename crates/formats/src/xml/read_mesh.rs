@@ -2,6 +2,7 @@
 
 use super::contents::{contents, no_contents};
 use super::fields::{Fields, Stands};
+use super::number::MOST_FAULTS;
 use super::read_scene::SceneReader;
 use super::sink::Sink;
 use super::vocabulary::{ElementRule, FACETS, MESH, NORMALS, PART, VERTICES};
@@ -36,9 +37,6 @@ impl<'d> MeshElements<'d> {
     }
 }
 
-/// Faults of one list that are told; a list that counts from 1 would give one for nearly every facet.
-const FAULTS_OF_A_LIST: usize = 5;
-
 /// The mesh of an element. `has_material` says whether the object has a material, which replaces those of a file.
 pub(super) fn mesh<'d>(
     reader: &mut SceneReader<'d, '_, '_>,
@@ -59,8 +57,29 @@ pub(super) fn mesh<'d>(
     } else {
         inline(reader, element, elements).map(Arc::new)
     };
-    let mesh = Mesh {
-        geometry: geometry?,
+    // what is wrong with the placement is told whatever is wrong with the geometry
+    let placed = placed(fields).and_then(|mesh| {
+        let rule = Shape::Mesh(mesh.clone()).check_instance();
+        fields.checked(mesh, rule, reader.sink)
+    });
+    let geometry = geometry?;
+    // what a file holds is looked through once; there are few files, though many objects may show them
+    if !reader.sound.contains_key(&Arc::as_ptr(&geometry)) {
+        if let Err(rule) = geometry.check() {
+            broken(&geometry, rule, fields, elements, reader.sink);
+            return None;
+        }
+        if source.is_some() {
+            reader.sound.insert(Arc::as_ptr(&geometry), Arc::clone(&geometry));
+        }
+    }
+    placed.map(|mesh| Shape::Mesh(Mesh { geometry, ..mesh }))
+}
+
+/// The mesh that the attributes say, as yet without its geometry.
+fn placed(fields: &Fields<'_>) -> Option<Mesh> {
+    Some(Mesh {
+        geometry: Arc::default(),
         source: fields.text_of("src").map(|(path, _)| path.into()),
         placement: Placement {
             scale: fields.point("scale")?,
@@ -68,28 +87,42 @@ pub(super) fn mesh<'d>(
             position: fields.point("position")?,
         },
         smooth: fields.flag("smooth")?,
-    };
-    let (geometry, is_inline) = (Arc::clone(&mesh.geometry), mesh.source.is_none());
-    let shape = Shape::Mesh(mesh);
-    // what a file holds is looked through once; there are few files, though many objects may show them
-    let is_known = reader.sound.contains_key(&Arc::as_ptr(&geometry));
-    let rule = shape.check_instance().and_then(|()| if is_known { Ok(()) } else { geometry.check() });
-    if rule.is_ok() && !is_known && !is_inline {
-        reader.sound.insert(Arc::as_ptr(&geometry), geometry);
-    }
-    match rule {
-        Err(rule @ Invalid::PartRange { part, .. }) => {
-            let part = elements.parts.get(part).copied();
-            let span = part.and_then(|part| Some(part.attribute("facets")?.value_span));
-            reader.sink.error(span.unwrap_or_else(|| element.name_span()), rule);
-            None
+    })
+}
+
+/// Tells of each rule that a geometry breaks, `first` and those that are broken once what broke it is taken away.
+fn broken(
+    geometry: &MeshGeometry,
+    first: Invalid,
+    fields: &Fields<'_>,
+    elements: &MeshElements<'_>,
+    sink: &mut Sink<'_>,
+) {
+    let mut rest = geometry.clone();
+    let mut parts: Vec<usize> = (0..rest.parts.len()).collect();
+    let mut found = Some(first);
+    for _ in 0..MOST_FAULTS {
+        let span = match found {
+            Some(Invalid::PartRange { part, facets }) => {
+                rest.parts.remove(part);
+                let part = parts.remove(part);
+                found = Some(Invalid::PartRange { part, facets });
+                elements.parts.get(part).and_then(|part| Some(part.attribute("facets")?.value_span))
+            }
+            Some(Invalid::NormalCount { .. }) => {
+                rest.normals.clear();
+                elements.normals.map(Element::name_span)
+            }
+            Some(rule) => {
+                fields.checked((), Err(rule), sink);
+                return;
+            }
+            None => return,
+        };
+        if let Some(rule) = found {
+            sink.error(span.unwrap_or_else(|| fields.name_span()), rule);
         }
-        Err(rule @ Invalid::NormalCount { .. }) => {
-            let normals = elements.normals.map_or_else(|| element.name_span(), Element::name_span);
-            reader.sink.error(normals, rule);
-            None
-        }
-        rule => fields.checked(shape, rule, reader.sink),
+        found = rest.check().err();
     }
 }
 
@@ -152,50 +185,77 @@ fn part<'d>(reader: &mut SceneReader<'d, '_, '_>, element: Element<'d>) -> Optio
 fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut Sink<'d>) -> Option<Vec<DVec3>> {
     let sound = Fields::read(element, rule, Stands::Within, sink).are_sound();
     no_contents(element, rule, sink);
-    let mut triples = Vec::new();
-    let mut triple = Triple::default();
+    let (mut triples, mut triple, mut faults) = (Vec::new(), Triple::default(), 0);
     for text in element.texts() {
         let written = text.written();
         for number in written.numbers() {
-            let Number { value, span } = sink.keep(number)?;
-            if !(-limits::COORDINATE..=limits::COORDINATE).contains(&value) {
-                let (min, max) = (-limits::COORDINATE, limits::COORDINATE);
-                sink.error(span, Invalid::OutOfRange { field: rule.name, value, min, max });
-                return None;
+            let (min, max) = (-limits::COORDINATE, limits::COORDINATE);
+            let number = number.and_then(|Number { value, span }| match value {
+                value if (min..=max).contains(&value) => Ok((value, span)),
+                value => {
+                    Err(Box::new(Diagnostic::error(span, Invalid::OutOfRange { field: rule.name, value, min, max })))
+                }
+            });
+            match number {
+                Ok((value, span)) => {
+                    triples.extend(triple.push(value, span).map(DVec3::from));
+                    progress::now_and_then(triples.len(), || span.end);
+                }
+                Err(fault) => tell(&mut faults, *fault, sink)?,
             }
-            triples.extend(triple.push(value, span).map(DVec3::from));
-            progress::now_and_then(triples.len(), || span.end);
         }
-        triple.decimal_commas(&written, sink)?;
+        if faults == 0 {
+            triple.decimal_commas(&written, sink)?;
+        }
+    }
+    if faults > 0 {
+        return None;
     }
     triple.finish(triples.len(), element, sink)?;
     sound.then_some(triples)
+}
+
+/// Tells of a fault of a list; `None` once there are so many that no more are told.
+fn tell(faults: &mut usize, fault: Diagnostic, sink: &mut Sink<'_>) -> Option<()> {
+    sink.push(fault);
+    *faults += 1;
+    (*faults < MOST_FAULTS).then_some(())
 }
 
 /// The vertex numbers of an element by threes. `vertices` is how many there are, if that is known.
 fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d>) -> Option<Vec<[u32; 3]>> {
     let sound = Fields::read(element, &FACETS, Stands::Within, sink).are_sound();
     no_contents(element, &FACETS, sink);
-    let mut facets = Vec::new();
-    let mut triple = Triple::default();
-    let mut faults = 0;
+    let (mut facets, mut triple) = (Vec::new(), Triple::default());
+    // a list that counts from 1 would give a fault for nearly every facet
+    let (mut illegible, mut beyond) = (0, 0);
     for text in element.texts() {
         let written = text.written();
         let mut numbers = written.numbers();
         while let Some(index) = numbers.next_index() {
-            let (vertex, span) = sink.keep(index)?;
+            let (vertex, span) = match index {
+                Ok(index) => index,
+                Err(fault) => {
+                    let span = fault.span.unwrap_or_default();
+                    tell(&mut illegible, *fault, sink)?;
+                    (0, span)
+                }
+            };
             if let Some(vertices) = vertices.filter(|vertices| vertex as usize >= *vertices) {
-                if faults < FAULTS_OF_A_LIST {
+                if beyond < MOST_FAULTS {
                     sink.error(span, Invalid::FacetVertex { facet: facets.len(), vertex, vertices });
                 }
-                faults += 1;
+                beyond += 1;
             }
             facets.extend(triple.push(vertex, span));
             progress::now_and_then(facets.len(), || span.end);
         }
     }
+    if illegible > 0 {
+        return None;
+    }
     triple.finish(facets.len(), element, sink)?;
-    (sound && faults == 0).then_some(facets)
+    (sound && beyond == 0).then_some(facets)
 }
 
 /// Collects what comes by threes.

@@ -90,7 +90,10 @@ fn view<'d>(
             (eye_fields, spec)
         }
         None => {
-            sink.error(eye.name_span(), StructureProblem::NoScreen { name: Excerpt::new(&spoken_name) });
+            // one that was meant is told already
+            if !eye_fields.meant("look-at") {
+                sink.error(eye.name_span(), StructureProblem::NoScreen { name: Excerpt::new(&spoken_name) });
+            }
             return None;
         }
         Some((screen, _)) if looks => {
@@ -98,11 +101,15 @@ fn view<'d>(
             return None;
         }
         Some((_, (screen_fields, spec))) => {
+            let mut idle = false;
             for name in ["up", "fov"] {
                 if let Some(attribute) = eye.attribute(name) {
                     sink.error(attribute.name_span, StructureProblem::NeedsLookAt { name });
-                    return None;
+                    idle = true;
                 }
+            }
+            if idle {
+                return None;
             }
             (screen_fields, spec)
         }
@@ -134,7 +141,7 @@ fn looked_at(eye: &Fields<'_>) -> Option<ScreenSpec> {
 }
 
 /// The three ways to give a screen, each with the attributes that it takes and samples for those that it needs.
-const FORMS: [&[(&str, Option<&str>)]; 3] = [
+pub(super) const FORMS: [&[(&str, Option<&str>)]; 3] = [
     &[("origin", Some("-1 0.75 0")), ("u", Some("2 0 0")), ("v", Some("0 -1.5 0"))],
     &[("center", Some("0 0 0")), ("size", Some("2 1.5")), ("up", None)],
     &[("corners", Some("-1 -0.75 0  1 -0.75 0  1 0.75 0  -1 0.75 0"))],

@@ -10,7 +10,8 @@ pub(super) fn told(rule: &Invalid, lang: Lang) -> (&'static str, Report) {
     match rule {
         Invalid::NotFinite { field } => ("rule::not-finite", words::not_finite(lang, field)),
         Invalid::OutOfRange { field, value, min, .. } if *min == limits::LEAST && value < min => {
-            ("rule::not-positive", words::not_positive(lang, field, shortest(*value), shortest(*min)))
+            let words = if *value > 0.0 { words::too_near_zero } else { words::not_positive };
+            ("rule::not-positive", words(lang, field, shortest(*value), shortest(*min)))
         }
         Invalid::OutOfRange { field, value, min, max } => {
             let [value_told, min_told, max_told] = [value, min, max].map(|number| shortest(*number));

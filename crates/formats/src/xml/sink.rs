@@ -45,6 +45,11 @@ impl<'d> Sink<'d> {
         result.map_err(|fault| self.push(*fault)).ok()
     }
 
+    /// The value, or `None` and its faults among the problems.
+    pub(super) fn keep_all<T>(&mut self, result: Result<T, Vec<Diagnostic>>) -> Option<T> {
+        result.map_err(|faults| faults.into_iter().for_each(|fault| self.push(fault))).ok()
+    }
+
     /// Whether further problems are not kept, so that nothing need be found out about them.
     pub(super) fn is_full(&self) -> bool {
         self.diagnostics.len() > MOST

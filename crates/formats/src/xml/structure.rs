@@ -112,6 +112,7 @@ impl StructureProblem {
             P::SceneForViews => ("xml::scene-for-views", words::scene_for_views(lang)),
             P::SceneOf2009 => ("xml::scene-of-2009", words::scene_of_2009(lang)),
             P::NewerVersion { version } => ("xml::newer-version", words::newer_version(lang, version)),
+            P::BadVersion { found } if found.as_ref().is_empty() => ("xml::bad-version", words::empty_version(lang)),
             P::BadVersion { found } => ("xml::bad-version", words::bad_version(lang, found)),
             P::NameTaken { kind, name, line } => (
                 "xml::name-taken",
@@ -126,7 +127,8 @@ impl StructureProblem {
                     [] => words::no_materials(lang),
                     names => words::known_materials(lang, all_of(lang, names)),
                 };
-                ("xml::unknown-material", words::unknown_material(lang, name, guess.word(lang), known))
+                let guess = if guess.0.is_some() { guess.word(lang) } else { words::no_such_material(lang) };
+                ("xml::unknown-material", words::unknown_material(lang, name, guess, known))
             }
             P::MirroredScreen => ("xml::mirrored-screen", words::mirrored_screen(lang)),
             P::NoViews => ("xml::no-views", words::no_views(lang)),

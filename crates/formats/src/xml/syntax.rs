@@ -67,13 +67,15 @@ syntax_problems! {
     /// No `=`.
     AttributeWithoutValue { name: Excerpt } = "xml::attribute-without-value", attribute_without_value;
     /// No quote after `=`.
-    ValueWithoutQuotes { name: Excerpt } = "xml::value-without-quotes", value_without_quotes;
+    ValueWithoutQuotes { name: Excerpt, value: Excerpt } = "xml::value-without-quotes", value_without_quotes;
     /// `<` or the end of the file before the closing quote.
     ValueNotEnded { name: Excerpt, quote: char } = "xml::value-not-ended", value_not_ended;
     /// An attribute twice in one tag.
     DuplicateAttribute { name: Excerpt, element: Excerpt, line: usize } = "xml::duplicate-attribute", duplicate_attribute;
     /// An end tag of another element than the open one.
     MismatchedEnd { found: Excerpt, open: Excerpt, line: usize } = "xml::mismatched-end", mismatched_end;
+    /// An end tag of an element further out than the open one.
+    OuterEnd { found: Excerpt, open: Excerpt, line: usize } = "xml::mismatched-end", outer_end;
     /// An end tag with nothing open.
     EndWithoutStart { name: Excerpt } = "xml::end-without-start", end_without_start;
     /// An end tag that holds more than a name.

@@ -33,7 +33,7 @@ pub enum ValueProblem {
         /// How many there should be.
         due: Due,
     },
-    /// A comma without a number on both sides.
+    /// A comma with nothing on one side.
     StrayComma,
     /// A number beyond what a double holds.
     TooLarge {
@@ -110,6 +110,18 @@ impl Due {
             Due::Triples => words::due_triples(lang),
         }
     }
+
+    /// How so many numbers are written.
+    fn sample(self, lang: Lang) -> String {
+        match self {
+            Due::One => words::sample_one(lang),
+            Due::Two => words::sample_two(lang),
+            Due::Three => words::sample_three(lang),
+            Due::OneOrThree => words::sample_one_or_three(lang),
+            Due::Twelve => words::sample_twelve(lang),
+            Due::Triples => words::sample_triples(lang),
+        }
+    }
 }
 
 impl ValueProblem {
@@ -124,7 +136,8 @@ impl ValueProblem {
             }
             ValueProblem::NumberCount { found, due } => {
                 let but = words::but_found(lang, *found);
-                ("xml::number-count", words::number_count(lang, due.word(lang), but, number::numbers(lang, *found)))
+                let found = number::numbers(lang, *found);
+                ("xml::number-count", words::number_count(lang, due.word(lang), but, found, due.sample(lang)))
             }
             ValueProblem::StrayComma => ("xml::stray-comma", words::stray_comma(lang)),
             ValueProblem::TooLarge { found } => ("xml::too-large-number", words::too_large_number(lang, found)),
@@ -132,6 +145,9 @@ impl ValueProblem {
             ValueProblem::NotAColor { found } => ("xml::not-a-color", words::not_a_color(lang, found)),
             ValueProblem::ColorInBytes { found, suggestion } => {
                 ("xml::color-in-bytes", words::color_in_bytes(lang, found, suggestion))
+            }
+            ValueProblem::NotOneOf { found, legal, .. } if found.as_ref().is_empty() => {
+                ("xml::not-one-of", words::no_word(lang, words::any_of(lang, legal)))
             }
             ValueProblem::NotOneOf { found, guess, legal } => {
                 ("xml::not-one-of", words::not_one_of(lang, found, guess.word(lang), words::any_of(lang, legal)))

@@ -8,33 +8,39 @@ reports! {
     }
     /// A number below its range.
     too_small(field, value, min, max) {
-        "`{field}` is {value}, less than {min}", "at least {min}", "`{field}` lies within {min} and {max}";
-        "« {field} » vaut {value}, moins que {min}", "au moins {min}", "« {field} » va de {min} à {max}";
+        "`{field}` is {value}, less than {min}", "at least {min}", "`{field}` lies between {min} and {max}";
+        "« {field} » vaut {value}, c'est moins que {min}", "au moins {min}", "« {field} » va de {min} à {max}";
     }
     /// A number above its range.
     too_great(field, value, min, max) {
-        "`{field}` is {value}, more than {max}", "at most {max}", "`{field}` lies within {min} and {max}";
-        "« {field} » vaut {value}, plus que {max}", "au plus {max}", "« {field} » va de {min} à {max}";
+        "`{field}` is {value}, more than {max}", "at most {max}", "`{field}` lies between {min} and {max}";
+        "« {field} » vaut {value}, c'est plus que {max}", "au plus {max}", "« {field} » va de {min} à {max}";
     }
-    /// A number that is not greater than 0, or nearly 0.
+    /// A number that is not greater than 0.
     not_positive(field, value, min) {
         "`{field}` is {value}, but must be greater than 0", "more than 0", "`{field}` is at least {min}";
-        "« {field} » vaut {value}, mais doit dépasser 0", "plus que 0",
+        "« {field} » vaut {value}, mais doit être strictement positif", "plus grand que 0",
+        "« {field} » vaut au moins {min}";
+    }
+    /// A number that is greater than 0, but so little that it could not be told from 0.
+    too_near_zero(field, value, min) {
+        "`{field}` is {value}, too small to be told from 0", "at least {min}", "`{field}` is at least {min}";
+        "« {field} » vaut {value}, trop petit pour être distingué de 0", "au moins {min}",
         "« {field} » vaut au moins {min}";
     }
     /// The points of a plane or a facet lie on one line.
     collinear() {
         "the three points lie on one line", "they span no surface",
-        "move one of `p0`, `p1`, `p2` off the line through the others";
+        "move one of the three points off the line through the others";
         "les trois points sont alignés", "ils n'engendrent aucune surface",
-        "écartez l'un de « p0 », « p1 », « p2 » de la droite des deux autres";
+        "écartez l'un des trois points de la droite qui passe par les deux autres";
     }
     /// The edges of a box lie in one plane.
     coplanar() {
         "the three edges of the box lie in one plane", "it would have no volume",
-        "turn one of `u`, `v`, `w` out of the plane of the others; none may be 0";
+        "turn one of the three edges out of the plane of the others; none may be 0";
         "les trois arêtes de la boîte sont dans un même plan", "elle n'aurait pas de volume",
-        "tournez l'une de « u », « v », « w » hors du plan des deux autres ; aucune ne peut être nulle";
+        "tournez l'une des trois arêtes hors du plan des deux autres ; aucune ne peut être nulle";
     }
     /// The ends of a cone are in one place.
     cone_flat() {
@@ -43,9 +49,9 @@ reports! {
     }
     /// Both radii of a cone are 0.
     cone_thin() {
-        "both radii of the cone are 0", "it would be a line", "give `base-radius` or `top-radius` more than 0";
+        "both radii of the cone are 0", "it would be a line", "make `base-radius` or `top-radius` greater than 0";
         "les deux rayons du cône sont nuls", "ce serait un segment",
-        "donnez plus que 0 à « base-radius » ou à « top-radius »";
+        "donnez une valeur strictement positive à « base-radius » ou à « top-radius »";
     }
     /// A factor 0.
     scale_zero() {
@@ -105,7 +111,7 @@ reports! {
     }
     /// The eye lies in the screen's plane.
     eye_in_screen() {
-        "the eye lies in the plane of the screen", "it would see the screen from its edge",
+        "the eye lies in the plane of the screen", "it would see the screen edge-on",
         "move the eye or the screen: the eye looks through the screen";
         "l'œil est dans le plan de l'écran", "il verrait l'écran par la tranche",
         "déplacez l'œil ou l'écran : l'œil regarde à travers l'écran";
@@ -117,9 +123,9 @@ reports! {
     }
     /// `up` is zero or along the sight.
     up_along_sight() {
-        "`up` points along the line of sight", "no direction is up then",
+        "`up` is 0 or points along the line of sight", "then no direction is up",
         "choose another `up`, for example `up=\"0 0 1\"` for an eye that looks straight down";
-        "« up » est dans l'axe du regard", "aucune direction n'est alors le haut",
+        "« up » est nul ou dans l'axe du regard", "aucune direction n'est alors le haut",
         "choisissez un autre « up », par exemple « up=\"0 0 1\" » pour un œil qui regarde droit vers le bas";
     }
 }

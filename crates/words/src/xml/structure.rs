@@ -52,7 +52,7 @@ reports! {
     /// Text that is no white space where none is due.
     stray_text(parent) {
         "text has no place in `{parent}`", "", "for a remark write a comment: `<!-- like this -->`";
-        "du texte n'a pas sa place dans « {parent} »", "", "pour une remarque, un commentaire : « <!-- ainsi --> »";
+        "un texte n'a pas sa place dans « {parent} »", "", "pour une remarque, un commentaire : « <!-- ainsi --> »";
     }
     /// `material=` and an inline material.
     two_materials(element) {
@@ -96,7 +96,7 @@ reports! {
     }
     /// A screen element without any place.
     empty_screen() {
-        "this `screen` says not where it is", "",
+        "this `screen` does not say where it is", "",
         "a screen is `origin`, `u` and `v`; or `center`, `size` and perhaps `up`; or `corners`";
         "ce « screen » ne dit pas où il est", "",
         "un écran est « origin », « u » et « v » ; ou « center », « size » et au besoin « up » ; ou « corners »";
@@ -144,6 +144,11 @@ reports! {
         "1 est la dernière version connue ici",
         "utilisez le lancer qui l'a écrit, ou enregistrez-le en version 1";
     }
+    /// A version of nothing.
+    empty_version() {
+        "the version is empty", "", "write `version=\"1\"`";
+        "la version est vide", "", "écrivez « version=\"1\" »";
+    }
     /// A version that is none.
     bad_version(found) {
         "`{found}` is no version of this format", "", "write `version=\"1\"`";
@@ -151,23 +156,23 @@ reports! {
     }
     /// A name that another object or lamp has.
     object_name_taken(name, line) {
-        "the name `{name}` is taken", "it first stands on line {line}",
+        "the name `{name}` is taken", "it is first used on line {line}",
         "names are unique among objects and lamps together: rename one, or take its name out and it gets a free one";
-        "le nom « {name} » est déjà pris", "il figure d'abord à la ligne {line}",
+        "le nom « {name} » est déjà pris", "il est déjà employé à la ligne {line}",
         "les noms sont uniques parmi les objets et les sources : changez-en un, ou ôtez-le et un nom libre sera donné";
     }
     /// A name that another material has.
     material_name_taken(name, line) {
-        "the material `{name}` is defined twice", "it first stands on line {line}",
+        "the material `{name}` is defined twice", "it is first defined on line {line}",
         "names are unique among the materials: rename one";
-        "la matière « {name} » est définie deux fois", "elle figure d'abord à la ligne {line}",
+        "la matière « {name} » est définie deux fois", "elle est déjà définie à la ligne {line}",
         "les noms sont uniques parmi les matières : changez-en un";
     }
     /// A name that another view has.
     view_name_taken(name, line) {
-        "the view `{name}` is defined twice", "it first stands on line {line}",
+        "the view `{name}` is defined twice", "it is first defined on line {line}",
         "names are unique among the views: rename one";
-        "la vue « {name} » est définie deux fois", "elle figure d'abord à la ligne {line}",
+        "la vue « {name} » est définie deux fois", "elle est déjà définie à la ligne {line}",
         "les noms sont uniques parmi les vues : changez-en un";
     }
     /// A reference to a material that does not exist.
@@ -189,13 +194,15 @@ reports! {
     }
     /// More problems than are listed.
     too_many(count) {
-        "there are more than {count} problems: the others are not listed", "", "mend the first ones and look again";
+        "there are more than {count} problems: the others are not listed", "", "correct the first ones and try again";
         "il y a plus de {count} problèmes : les autres ne sont pas listés", "",
         "corrigez les premiers et recommencez";
     }
 }
 
 phrases! {
+    /// A material of no name that is near.
+    no_such_material() { "no material has this name", "aucune matière ne porte ce nom" }
     /// The materials that exist.
     known_materials(names) { "the document's materials: {names}", "les matières du document : {names}" }
     /// There are none.

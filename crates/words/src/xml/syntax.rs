@@ -70,7 +70,7 @@ reports! {
     /// A DOCTYPE with an internal subset.
     internal_subset() {
         "a DOCTYPE with declarations of its own is refused", "the declarations begin here",
-        "take out the part within `[` and `]`; a DOCTYPE that only names a file is let pass, and never fetched";
+        "take out the part within `[` and `]`; a DOCTYPE that only names a file is allowed, and never fetched";
         "un DOCTYPE qui contient ses propres déclarations est refusé", "les déclarations commencent ici",
         "ôtez la partie entre « [ » et « ] » ; un DOCTYPE qui ne fait que nommer un fichier est toléré, sans jamais être lu";
     }
@@ -106,7 +106,7 @@ reports! {
     }
     /// The file ends within a tag.
     ends_within_tag(name) {
-        "the file ends in the midst of the tag `<{name}`", "it begins here", "is the file cut short? A tag ends with `>` or `/>`";
+        "the file ends in the middle of the tag `<{name}`", "it begins here", "is the file cut short? A tag ends with `>` or `/>`";
         "le fichier finit au milieu de la balise « <{name} »", "elle commence ici",
         "le fichier est-il tronqué ? Une balise finit par « > » ou « /> »";
     }
@@ -128,9 +128,9 @@ reports! {
         "l'attribut « {name} » n'a pas de valeur", "« = » et une valeur manquent après", "écrivez « {name}=\"…\" »";
     }
     /// A value without quotes.
-    value_without_quotes(name) {
-        "the value of `{name}` needs quotes", "", "write `{name}=\"…\"`";
-        "la valeur de « {name} » demande des guillemets", "", "écrivez « {name}=\"…\" »";
+    value_without_quotes(name, value) {
+        "the value of `{name}` needs quotes", "", "write `{name}=\"{value}\"`";
+        "la valeur de « {name} » demande des guillemets", "", "écrivez « {name}=\"{value}\" »";
     }
     /// A value whose closing quote is missing.
     value_not_ended(name, quote) {
@@ -152,6 +152,13 @@ reports! {
         "`<{open}>` of line {line} is still open: close it first, with `</{open}>`";
         "« </{found}> » figure là où « </{open}> » est attendu", "ceci ne ferme rien d'ouvert",
         "« <{open}> » de la ligne {line} est encore ouvert : fermez-le d'abord, par « </{open}> »";
+    }
+    /// An end tag of an element further out than the open one.
+    outer_end(found, open, line) {
+        "`</{found}>` stands where `</{open}>` is due", "`<{open}>` of line {line} is still open",
+        "close it first, with `</{open}>`, or write `<{open} …/>` if nothing stands within it";
+        "« </{found}> » figure là où « </{open}> » est attendu", "« <{open}> » de la ligne {line} est encore ouvert",
+        "fermez-le d'abord, par « </{open}> », ou écrivez « <{open} …/> » s'il ne contient rien";
     }
     /// An end tag with nothing open.
     end_without_start(name) {
@@ -179,7 +186,7 @@ reports! {
     }
     /// The file begins with something that is no XML.
     not_xml() {
-        "this is no XML document", "a `<` is due here",
+        "this is not an XML document", "a `<` is due here",
         "a scene begins with `<scene version=\"1\">`, a view with `<views version=\"1\">`";
         "ceci n'est pas un document XML", "un « < » est attendu ici",
         "une scène commence par « <scene version=\"1\"> », une vue par « <views version=\"1\"> »";
@@ -250,7 +257,7 @@ reports! {
     }
     /// A name that is no XML name.
     bad_name() {
-        "this is no legal name", "", "a name begins with a letter and holds letters, digits, `-`, `_` and `.`";
+        "this is not a legal name", "", "a name begins with a letter and holds letters, digits, `-`, `_` and `.`";
         "ce nom est illégal", "", "un nom commence par une lettre et contient des lettres, chiffres, « - », « _ » et « . »";
     }
 }

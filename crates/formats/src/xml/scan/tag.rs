@@ -78,7 +78,7 @@ impl Scanner<'_> {
             let value = rest.find(|c: char| c.is_whitespace() || "/><\"'".contains(c)).unwrap_or(rest.len());
             let problem = match value {
                 0 => SyntaxProblem::AttributeWithoutValue { name: name() },
-                _ => SyntaxProblem::ValueWithoutQuotes { name: name() },
+                _ => SyntaxProblem::ValueWithoutQuotes { name: name(), value: Excerpt::new(&rest[..value]) },
             };
             return if value == 0 { self.fault(start, end, problem) } else { self.fault(at, at + value, problem) };
         };
@@ -158,13 +158,18 @@ impl Scanner<'_> {
         let length = name_length(&self.text[start + 2..]);
         let found = &self.text[start + 2..start + 2 + length];
         self.at = start + 2 + length;
-        let tag = self.entries[open].start as usize + 1;
-        let open_name = &self.text[tag..tag + name_length(&self.text[tag..])];
+        let name = |entry: usize| {
+            let tag = self.entries[entry].start as usize + 1;
+            &self.text[tag..tag + name_length(&self.text[tag..])]
+        };
+        let open_name = name(open);
         if length > 0 && found != open_name {
-            let problem = SyntaxProblem::MismatchedEnd {
-                found: Excerpt::new(found),
-                open: Excerpt::new(open_name),
-                line: line_of(self.text, tag),
+            let line = line_of(self.text, self.entries[open].start as usize);
+            let is_outer = self.open.iter().any(|outer| name(*outer) == found);
+            let (found, open) = (Excerpt::new(found), Excerpt::new(open_name));
+            let problem = match is_outer {
+                true => SyntaxProblem::OuterEnd { found, open, line },
+                false => SyntaxProblem::MismatchedEnd { found, open, line },
             };
             return self.fault(start, self.at, problem);
         }

@@ -1,19 +1,18 @@
 //! The published schema of the native documents: RELAX NG, made of the vocabulary.
 //!
 //! It says which elements and attributes there are, which must stand, and how each value is written. What needs more
-//! than one value to judge (names that are taken, points on one line) is the readers' matter.
+//! than one value to judge (names that are taken, points on one line) is the readers' matter, but for the ways to give
+//! a screen.
+
+mod value;
 
 use super::escape;
+use super::read_views::FORMS;
 use super::vocabulary::{
-    AttributeRule, Child, ELEMENTS, ElementRule, Kind, MATERIAL, Presence, SCENE, STEPS, TextRule, Times, VIEW,
+    AttributeRule, Child, ELEMENTS, EYE, ElementRule, Kind, MATERIAL, Presence, SCENE, SCREEN, TextRule, Times, VIEW,
 };
 use lancer_words::Lang;
 use std::fmt::Write as _;
-
-/// A number as the documents write it.
-const NUMBER: &str = r"[+\-]?[0-9]+(\.[0-9]+)?([eE][+\-]?[0-9]+)?";
-/// What parts two numbers: white space, or one comma with white space around it.
-const PARTED: &str = r"(\s+|\s*,\s*)";
 
 /// The schema of scene and view documents, in RELAX NG's XML syntax, with the vocabulary's sentences in a language.
 pub fn schema(lang: Lang) -> String {
@@ -36,6 +35,7 @@ pub fn schema(lang: Lang) -> String {
             }
             out.element(&MATERIAL, "own-material", Form::Inline);
             out.element(&VIEW, "view-document", Form::Root);
+            out.element(&EYE, LOOKING, Form::Looking);
             out.within("define name=\"reserved\"", |out| {
                 out.within("zeroOrMore", |out| {
                     out.within("attribute", |out| {
@@ -56,7 +56,12 @@ enum Form {
     Inline,
     /// A view that is the document's root: it has a version.
     Root,
+    /// An eye that looks at a point, which gives the screen.
+    Looking,
 }
+
+/// The name of an eye that looks at a point.
+const LOOKING: &str = "looking-eye";
 
 struct Writer {
     text: String,
@@ -95,7 +100,10 @@ impl Writer {
                 for attribute in rule.attributes {
                     let apart = attribute.kind == Kind::Path
                         || attribute.kind == Kind::MaterialName && shared
-                        || form == Form::Inline && attribute.name == "name";
+                        || form == Form::Inline && attribute.name == "name"
+                        || rule.name == SCREEN.name
+                        // where the screen is an element, nothing else says what the eye sees
+                        || rule.name == EYE.name && form == Form::Usual && attribute.name != "at";
                     if !apart {
                         out.presence(attribute, form);
                     }
@@ -109,7 +117,8 @@ impl Writer {
     fn presence(&mut self, attribute: &AttributeRule, form: Form) {
         match (attribute.presence, form) {
             (Presence::Required(_), _) | (Presence::AtRoot(_), Form::Root) => self.attribute(attribute),
-            (Presence::AtRoot(_), Form::Usual | Form::Inline) => {}
+            (Presence::Optional, Form::Looking) => self.attribute(attribute),
+            (Presence::AtRoot(_), Form::Usual | Form::Inline | Form::Looking) => {}
             (Presence::Default(_) | Presence::Automatic | Presence::Optional, _) => {
                 self.within("optional", |out| out.attribute(attribute));
             }
@@ -127,8 +136,13 @@ impl Writer {
     fn content(&mut self, rule: &'static ElementRule, shared: bool) {
         match rule.text {
             TextRule::Coordinates => return self.pattern(r"[0-9eE+\-.,\s]*"),
-            TextRule::Indices => return self.pattern(r"[0-9,\s]*"),
+            TextRule::Indices => return self.pattern(r"[0-9+.eE,\s]*"),
             TextRule::Nothing => {}
+        }
+        if rule.name == SCREEN.name {
+            return self.screen();
+        } else if rule.name == VIEW.name {
+            return self.sight();
         }
         let source = rule.attributes.iter().find(|attribute| attribute.kind == Kind::Path);
         let inline = |child: &&Child| source.is_some() && child.rule.text != TextRule::Nothing;
@@ -168,6 +182,34 @@ impl Writer {
         });
     }
 
+    /// The attributes of a screen, in one of three ways.
+    fn screen(&mut self) {
+        self.within("choice", |out| {
+            for form in FORMS {
+                out.within("group", |out| {
+                    let attributes = form.iter().filter_map(|(name, sample)| Some((SCREEN.attribute(name)?, sample)));
+                    for (attribute, sample) in attributes {
+                        match sample {
+                            Some(_) => out.attribute(attribute),
+                            None => out.within("optional", |out| out.attribute(attribute)),
+                        }
+                    }
+                });
+            }
+        });
+    }
+
+    /// What a view holds: an eye that looks at a point, or an eye and a screen.
+    fn sight(&mut self) {
+        self.within("choice", |out| {
+            out.times(Times::Once, LOOKING);
+            out.within("interleave", |out| {
+                out.times(Times::Once, EYE.name);
+                out.times(Times::Once, SCREEN.name);
+            });
+        });
+    }
+
     fn times(&mut self, times: Times, name: &str) {
         let reference = format!("<ref name=\"{name}\"/>");
         match times {
@@ -177,35 +219,12 @@ impl Writer {
         }
     }
 
-    /// How a value is written.
-    fn value(&mut self, kind: Kind) {
-        let numbers = |count: usize| format!("{NUMBER}({PARTED}{NUMBER}){{{}}}", count - 1);
-        let blanks = |pattern: String| format!(r"\s*({pattern})\s*");
-        match kind {
-            Kind::Version => self.pattern(r"\s*1\s*"),
-            Kind::Text => self.line("<text/>"),
-            Kind::Name | Kind::MaterialName | Kind::Path => self.pattern(r".*\S.*"),
-            Kind::Color => {
-                self.pattern(&blanks(format!("#[0-9a-fA-F]{{6}}|{NUMBER}|{}", numbers(3))));
-            }
-            Kind::Channels(..) | Kind::Factors => self.pattern(&blanks(format!("{NUMBER}|{}", numbers(3)))),
-            Kind::Point => self.pattern(&blanks(numbers(3))),
-            Kind::Length | Kind::Number(..) => self.pattern(&blanks(NUMBER.to_owned())),
-            Kind::Size => self.pattern(&blanks(numbers(2))),
-            Kind::Corners => self.pattern(&blanks(numbers(12))),
-            Kind::Integer(..) => self.pattern(r"\s*\+?[0-9]+\s*"),
-            Kind::Run => self.pattern(&blanks(format!("[0-9]+{PARTED}[0-9]+"))),
-            Kind::Choice(words) => self.pattern(&blanks(words.join("|"))),
-            Kind::Steps => {
-                let word = STEPS.join("|");
-                self.pattern(&format!(r"\s*(({word})({PARTED}({word}))*)?\s*"));
-            }
-        }
+    fn pattern(&mut self, pattern: &str) {
+        self.within("data type=\"string\"", |out| out.parameter("pattern", pattern));
     }
 
-    fn pattern(&mut self, pattern: &str) {
-        self.within("data type=\"string\"", |out| {
-            out.line(&format!("<param name=\"pattern\">{}</param>", escape(pattern)));
-        });
+    /// A limit of a type.
+    fn parameter(&mut self, name: &str, value: &str) {
+        self.line(&format!("<param name=\"{name}\">{}</param>", escape(value)));
     }
 }
