@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// The documents, from the root of the checkout.
-const FOLDERS: [&str; 3] = ["", "docs", "scenes"];
+const FOLDERS: [&str; 4] = ["", "docs", "scenes", "tests/scenes"];
 
 /// Folders of the checkout: a path in a document that begins with one of them must exist.
 const TOP: [&str; 7] = [".ci/", "benches/", "crates/", "docs/", "scenes/", "tests/", "xtask/"];

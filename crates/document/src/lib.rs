@@ -28,6 +28,7 @@ pub mod presets;
 pub mod saving;
 mod selection;
 mod sight;
+mod silhouette;
 mod step;
 pub mod wireframe;
 

@@ -3,17 +3,17 @@
 //! Lines of space are clipped a little in front of the eye and projected; a sphere is shown by its true silhouette, the
 //! circle in which the cone of its tangents from the eye touches it.
 
+use crate::silhouette::Edges;
 use crate::{Axis, Item, decimal};
 use lancer_scene::{DVec3, Mesh, MeshGeometry, Object, Shape, Stage, View};
 use lancer_trace::Camera;
-use std::collections::HashSet;
 use std::sync::Arc;
 
 /// A line through points of a picture, in pixels from the top left.
 pub type Polyline = Vec<(f64, f64)>;
 
 /// A mesh with more facets than these is shown by the box around it.
-const MOST_FACETS: usize = 4000;
+const MOST_FACETS: usize = 20_000;
 /// Segments of a circle.
 const SEGMENTS: u32 = 96;
 /// Cells along each side of a plane's patch.
@@ -21,13 +21,10 @@ const PATCH: i32 = 4;
 /// Half the size of a lamp's star, in pixels.
 const STAR: f64 = 9.0;
 
-/// Lines of space.
-type Lines = Arc<[[DVec3; 2]]>;
-
-/// Lines of meshes that were worked out, kept while their geometry is in use.
+/// Edges of meshes that were worked out, kept while their geometry is in use.
 #[derive(Clone, Debug, Default)]
 pub struct Wireframes {
-    meshes: Vec<(Arc<MeshGeometry>, Lines)>,
+    meshes: Vec<(Arc<MeshGeometry>, Shown)>,
 }
 
 impl Wireframes {
@@ -71,40 +68,51 @@ impl Wireframes {
     }
 
     fn mesh(&mut self, mesh: &Mesh, camera: &Camera) -> Vec<Polyline> {
-        // lines that only this cache still knows are of geometries that are gone
+        // edges that only this cache still knows are of geometries that are gone
         self.meshes.retain(|(geometry, _)| Arc::strong_count(geometry) > 1);
         let known = self.meshes.iter().find(|(geometry, _)| Arc::ptr_eq(geometry, &mesh.geometry));
-        let lines = match known {
-            Some((_, lines)) => Arc::clone(lines),
+        let shown = match known {
+            Some((_, shown)) => shown.clone(),
             None => {
-                let lines: Lines = mesh_lines(&mesh.geometry).into();
-                self.meshes.push((Arc::clone(&mesh.geometry), Arc::clone(&lines)));
-                lines
+                let shown = Shown::of(&mesh.geometry);
+                self.meshes.push((Arc::clone(&mesh.geometry), shown.clone()));
+                shown
             }
         };
         let (linear, position) = (mesh.placement.linear(), mesh.placement.position);
-        let placed: Vec<[DVec3; 2]> = lines.iter().map(|line| line.map(|point| linear * point + position)).collect();
+        let placed = |line: [DVec3; 2]| line.map(|point| linear * point + position);
+        let placed: Vec<[DVec3; 2]> = match &shown {
+            Shown::Edges(edges) => {
+                let eye = linear.inverse() * (camera.eye() - position);
+                edges.outline(eye).map(placed).collect()
+            }
+            Shown::Box(lines) => lines.iter().copied().map(placed).collect(),
+        };
         segments(&placed, camera)
     }
 }
 
-/// The lines of a mesh before placement: each edge once, or the box around its vertices.
-fn mesh_lines(geometry: &MeshGeometry) -> Vec<[DVec3; 2]> {
-    if geometry.facets.len() > MOST_FACETS {
+/// What shows a mesh, before placement.
+#[derive(Clone, Debug)]
+enum Shown {
+    /// Its outline.
+    Edges(Arc<Edges>),
+    /// The box around its vertices.
+    Box(Arc<[[DVec3; 2]]>),
+}
+
+impl Shown {
+    fn of(geometry: &MeshGeometry) -> Shown {
+        if geometry.facets.len() <= MOST_FACETS {
+            return Shown::Edges(Arc::new(Edges::of(geometry)));
+        }
         let corners = geometry.positions.iter().fold(None, |corners: Option<(DVec3, DVec3)>, &position| {
             Some(corners.map_or((position, position), |(low, high)| (low.min(position), high.max(position))))
         });
-        return corners.map_or_else(Vec::new, |(low, high)| {
-            let size = high - low;
-            box_edges(low, [DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z]).to_vec()
-        });
+        let (low, high) = corners.unwrap_or_default();
+        let size = high - low;
+        Shown::Box(box_edges(low, [DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z]).into())
     }
-    let mut seen = HashSet::new();
-    let edges = geometry.facets.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-    edges
-        .filter(|&(a, b)| seen.insert((a.min(b), a.max(b))))
-        .filter_map(|(a, b)| Some([*geometry.positions.get(a as usize)?, *geometry.positions.get(b as usize)?]))
-        .collect()
 }
 
 /// The twelve edges of a box.

@@ -137,8 +137,48 @@ fn a_small_mesh_shows_each_edge_once_and_a_large_one_its_box() {
     let small = outline(mesh(Arc::new(fan(10)), placement.clone()), &camera);
     assert_eq!(small.len(), 21);
     near(small[0][0], camera.project(DVec3::Y).unwrap());
-    assert_eq!(outline(mesh(Arc::new(fan(5000)), placement.clone()), &camera).len(), 12);
+    assert_eq!(outline(mesh(Arc::new(fan(30_000)), placement.clone()), &camera).len(), 12);
     assert_eq!(outline(mesh(Arc::default(), placement), &camera), Vec::<Polyline>::new());
+}
+
+/// A fine mesh is outlined as the body is that it stands for: a ball of many facets by a circle, from wherever it is
+/// seen, also where it is turned, stretched or mirrored, and where each facet has vertices of its own.
+#[test]
+fn a_fine_mesh_shows_its_silhouette() {
+    const ROWS: u32 = 24;
+    const COLUMNS: u32 = 48;
+    let place = |row: u32, column: u32| {
+        if row == 0 || row == ROWS {
+            return if row == 0 { DVec3::Y } else { DVec3::NEG_Y };
+        }
+        let (up, around) = (f64::from(row) / f64::from(ROWS), f64::from(column % COLUMNS) / f64::from(COLUMNS));
+        let ((sin, cos), (east, north)) =
+            ((up * std::f64::consts::PI).sin_cos(), (around * std::f64::consts::TAU).sin_cos());
+        DVec3::new(sin * east, cos, sin * north)
+    };
+    let cells = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| (row, column)));
+    let corners = cells.flat_map(|(row, column)| {
+        [(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)].map(|(down, right)| place(row + down, column + right))
+    });
+    let positions: Vec<DVec3> = corners.collect();
+    let facets = (0..positions.len() as u32 / 3).map(|facet| [3 * facet, 3 * facet + 1, 3 * facet + 2]).collect();
+    let ball = Arc::new(MeshGeometry { positions, facets, ..MeshGeometry::default() });
+    for scale in [DVec3::ONE, DVec3::new(-1.0, 1.0, 1.0)] {
+        for eye in [DVec3::new(3.0, 4.0, 12.0), DVec3::new(-13.0, 0.5, 0.3), DVec3::new(1.0, -12.0, 5.0)] {
+            let placement = Placement { scale, position: DVec3::X, rotation: DVec3::new(10.0, 20.0, 30.0) };
+            let camera = camera(eye + DVec3::X, DVec3::X);
+            let lines = outline(mesh(Arc::clone(&ball), placement), &camera);
+            // a circle of the radius that a ball has there, but for the length of a facet, and nothing within it
+            let middle = camera.project(DVec3::X).unwrap();
+            let due = 320.0 / 30_f64.to_radians().tan() / (eye.length_squared() - 1.0).sqrt();
+            for point in lines.iter().flatten() {
+                let radius = (point.0 - middle.0).hypot(point.1 - middle.1);
+                assert!((radius / due - 1.0).abs() < 0.06, "{eye}: {radius} for {due}");
+            }
+            let length: f64 = lines.iter().map(|line| (line[0].0 - line[1].0).hypot(line[0].1 - line[1].1)).sum();
+            assert!((0.9..1.5).contains(&(length / due / std::f64::consts::TAU)), "{eye}: {length} around {due}");
+        }
+    }
 }
 
 /// The lines of a mesh are worked out once, however often it is moved, and forgotten with it.

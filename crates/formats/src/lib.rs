@@ -13,6 +13,7 @@ pub mod n7_2009;
 pub mod nff;
 pub mod picture;
 pub mod ppm;
+pub mod progress;
 mod refusal;
 pub mod save;
 pub mod text;

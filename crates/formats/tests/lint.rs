@@ -111,7 +111,9 @@ fn the_scenes_of_the_project_are_sound() {
     let scenes = scenes();
     assert!(scenes.len() >= 12, "only {} scenes", scenes.len());
     for path in scenes {
-        let scene = load_scene(&path, &LoadOptions::default()).unwrap().value.unwrap();
+        let loaded = load_scene(&path, &LoadOptions::default()).unwrap();
+        assert_eq!(loaded.diagnostics, [], "{}", path.display());
+        let scene = loaded.value.unwrap();
         let views = load_views(&path.with_extension("view.xml"), &LoadOptions::default());
         let views = views.ok().and_then(|views| views.value).unwrap_or_default();
         // Not to know the eyes must not make it say more.

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that fails says so by panicking")]
 
 use lancer_formats::load::{self, LoadCause, LoadError, LoadOptions, Loaded};
+use lancer_formats::progress::{self, Progress, Stage};
 use lancer_formats::{Describe, Severity, binary, picture, ppm};
 use lancer_scene::{Mesh, Picture, Rgb, Scene, Shape};
 use lancer_words::Lang;
@@ -393,4 +394,51 @@ fn a_mesh_file_is_a_scene_of_one_object() {
     fs::write(folder.path().join(" .stl"), "").unwrap();
     assert!(load(&folder.path().join(" .stl")).has_errors());
     assert_eq!(refused(&folder.path().join("none.ply")).cause, LoadCause::Missing);
+}
+
+/// Whoever waits for a long file sees how far it is: every reader of facets tells where it has come to.
+#[test]
+fn a_long_reading_is_seen_to_go_on() {
+    const FACETS: usize = 5000;
+    let folder = tempfile::tempdir().unwrap();
+    let lines = |prefix: &str, line: &dyn Fn(usize) -> String| -> String {
+        (0..FACETS).map(|number| format!("{prefix}{}\n", line(number))).collect()
+    };
+    let vertex = |number: usize| format!("{number} {} 0", number % 7);
+    let facet = |number: usize| format!("{} {} {}", number, (number + 1) % FACETS, (number + 2) % FACETS);
+    let counted = |number: usize| format!("{} {} {}", number + 1, (number + 1) % FACETS + 1, (number + 2) % FACETS + 1);
+    let header = format!(
+        "ply\nformat ascii 1.0\nelement vertex {FACETS}\nproperty float x\nproperty float y\nproperty float z\n\
+         element face {FACETS}\nproperty list uchar int vertex_indices\nend_header\n"
+    );
+    let mut stl = vec![0; 80];
+    stl.extend((FACETS as u32).to_le_bytes());
+    for number in 0..FACETS {
+        let corners = [[number as f32, 0.0, 0.0], [number as f32, 1.0, 0.0], [number as f32, 0.0, 1.0]];
+        stl.extend([0; 12]);
+        stl.extend(corners.iter().flatten().flat_map(|coordinate| coordinate.to_le_bytes()));
+        stl.extend([0; 2]);
+    }
+    let mesh = format!(
+        "<scene version=\"1\"><mesh><vertices>{}</vertices><facets>{}</facets></mesh></scene>",
+        lines("", &vertex),
+        lines("", &facet)
+    );
+    let files: [(&str, Vec<u8>); 4] = [
+        ("a.obj", ("mtllib a.mtl\n".to_owned() + &lines("v ", &vertex) + &lines("f ", &counted)).into_bytes()),
+        ("a.ply", (header + &lines("", &vertex) + &lines("3 ", &facet)).into_bytes()),
+        ("a.stl", stl),
+        ("a.xml", mesh.into_bytes()),
+    ];
+    std::fs::write(folder.path().join("a.mtl"), "newmtl grey\n").unwrap();
+    for (name, bytes) in files {
+        let path = folder.path().join(name);
+        std::fs::write(&path, &bytes).unwrap();
+        let progress = Progress::default();
+        let read = || load::load_scene(&path, &LoadOptions::default()).unwrap();
+        assert_eq!(progress::watched(&progress, read).diagnostics, [], "{name}");
+        let (stage, part) = progress.now();
+        assert!(stage == Stage::Content && part.is_some_and(|part| part > 0.75 && part < 1.0), "{name}: {part:?}");
+        assert_eq!(progress::watched(&Progress::default(), read).value, read().value, "{name}");
+    }
 }

@@ -10,6 +10,7 @@ use lancer_document::{Command, Item, Selection, StepName};
 use lancer_formats::picture::Format;
 use lancer_render::Region;
 use lancer_scene::{Edit, Name};
+use lancer_words::{Lang, studio::menu as words};
 use std::path::PathBuf;
 
 /// Something that the user wants.
@@ -81,21 +82,65 @@ pub enum FileAction {
         /// What the file will hold.
         text: String,
     },
-    /// Writes the scene or the views in the format of 2009.
-    Export2009(Exported),
+    /// Writes the scene or the views for another program.
+    Export(Exported),
     /// Reads a mesh file and adds it as an object.
     AddMesh,
     /// Ends the program.
     Quit,
 }
 
-/// What is written in the format of 2009.
+/// What is written for another program, and in which format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Exported {
-    /// The scene.
-    Scene,
-    /// The views.
-    Views,
+    /// The scene with the active view, for POV-Ray.
+    Povray,
+    /// The objects, as Wavefront's OBJ with the library of their materials.
+    Obj,
+    /// The objects, as glTF 2.0 in text.
+    Gltf,
+    /// The objects, as glTF 2.0 in one binary file.
+    Glb,
+    /// The scene, in the format of 2009.
+    Scene2009,
+    /// The views, in the format of 2009.
+    Views2009,
+}
+
+impl Exported {
+    /// The name of what is exported.
+    pub(crate) fn name(self, lang: Lang) -> String {
+        match self {
+            Exported::Povray => words::export_povray(lang),
+            Exported::Obj => words::export_obj(lang),
+            Exported::Gltf => words::export_gltf(lang),
+            Exported::Glb => words::export_glb(lang),
+            Exported::Scene2009 => words::export_scene_2009(lang),
+            Exported::Views2009 => words::export_views_2009(lang),
+        }
+    }
+
+    /// The name of the format, at the beginning of a sentence.
+    pub(crate) fn format(self, lang: Lang) -> String {
+        match self {
+            Exported::Povray => words::format_povray(lang),
+            Exported::Obj => words::format_obj(lang),
+            Exported::Gltf | Exported::Glb => words::format_gltf(lang),
+            Exported::Scene2009 | Exported::Views2009 => words::format_2009(lang),
+        }
+    }
+
+    /// What follows the document's name in the name that is proposed, and the extension.
+    pub(crate) fn ending(self) -> (&'static str, &'static str) {
+        match self {
+            Exported::Povray => ("", "pov"),
+            Exported::Obj => ("", "obj"),
+            Exported::Gltf => ("", "gltf"),
+            Exported::Glb => ("", "glb"),
+            Exported::Scene2009 => ("-2009", "xml"),
+            Exported::Views2009 => ("-2009.view", "xml"),
+        }
+    }
 }
 
 /// What happens to one view.

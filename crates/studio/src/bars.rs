@@ -53,22 +53,26 @@ fn groups(ui: &mut Ui, context: &Context<'_>, groups: Groups, actions: &mut Vec<
         if place > 0 {
             ui.separator();
         }
-        if matches!(group, [Entry::Look(_), ..]) {
-            ui.menu_button((sign_text(None), words::look_from(context.lang)), |ui| {
-                group.iter().for_each(|entry| row(ui, context, *entry, actions));
-            });
-            continue;
-        }
-        if matches!(group, [Entry::ShowTab(_), ..]) {
-            ui.menu_button((sign_text(None), words::show_tab(context.lang)), |ui| {
-                group.iter().for_each(|entry| row(ui, context, *entry, actions));
-            });
+        let name = match group {
+            [Entry::Look(_), ..] => Some(words::look_from(context.lang)),
+            [Entry::ShowTab(_), ..] => Some(words::show_tab(context.lang)),
+            [Entry::Export(_), ..] => Some(words::export(context.lang)),
+            [] | [_, ..] => None,
+        };
+        if let Some(name) = name {
+            submenu(ui, &name, |ui| group.iter().for_each(|entry| row(ui, context, *entry, actions)));
             continue;
         }
         for entry in *group {
             row(ui, context, *entry, actions);
         }
     }
+}
+
+/// A menu within a menu. Its name is read out without the room that stands where others have a picture.
+fn submenu(ui: &mut Ui, name: &str, content: impl FnOnce(&mut Ui)) {
+    let response = ui.menu_button((sign_text(None), name), content).response;
+    response.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
 }
 
 /// The menu bar.
@@ -115,7 +119,7 @@ pub(crate) fn menu_bar(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
 fn file(ui: &mut Ui, context: &Context<'_>, entries: Groups, actions: &mut Vec<Action>) {
     let Some((first, rest)) = entries.split_first() else { return };
     first.iter().for_each(|entry| row(ui, context, *entry, actions));
-    ui.menu_button((sign_text(None), words::open_recent(context.lang)), |ui| {
+    submenu(ui, &words::open_recent(context.lang), |ui| {
         if context.settings.recent.is_empty() {
             ui.add_enabled(false, Button::new(words::no_recent(context.lang)));
         }
@@ -134,7 +138,7 @@ fn file(ui: &mut Ui, context: &Context<'_>, entries: Groups, actions: &mut Vec<A
 
 /// The views of the document, to be shown.
 fn views(ui: &mut Ui, context: &Context<'_>, actions: &mut Vec<Action>) {
-    ui.menu_button((sign_text(None), words::show_view(context.lang)), |ui| {
+    submenu(ui, &words::show_view(context.lang), |ui| {
         for view in &context.document.stage().views {
             let open = context.settings.layout.shows(&view.name);
             if ui.add(Button::selectable(open, view.name.to_string())).clicked() {

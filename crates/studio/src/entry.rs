@@ -30,8 +30,8 @@ pub enum Entry {
     SaveViews,
     /// Saves the views elsewhere.
     SaveViewsAs,
-    /// Writes the scene or the views in the format of 2009.
-    Export2009(Exported),
+    /// Writes the scene or the views for another program.
+    Export(Exported),
     /// Saves the picture of the active view.
     SavePicture,
     /// Ends the program.
@@ -118,8 +118,7 @@ impl Entry {
             Entry::LoadViews => words::load_views(lang),
             Entry::SaveViews => words::save_views(lang),
             Entry::SaveViewsAs => words::save_views_as(lang),
-            Entry::Export2009(Exported::Scene) => words::export_scene_2009(lang),
-            Entry::Export2009(Exported::Views) => words::export_views_2009(lang),
+            Entry::Export(what) => format!("{}…", what.name(lang)),
             Entry::SavePicture => words::save_picture(lang),
             Entry::Quit => words::quit(lang),
             Entry::Undo => words::undo(lang),
@@ -202,7 +201,7 @@ impl Entry {
             | Entry::LoadViews
             | Entry::SaveViews
             | Entry::SaveViewsAs
-            | Entry::Export2009(_)
+            | Entry::Export(_)
             | Entry::Quit
             | Entry::SelectAll
             | Entry::SelectNone
@@ -275,7 +274,7 @@ impl Entry {
             | Entry::LoadViews
             | Entry::SaveViews
             | Entry::SaveViewsAs
-            | Entry::Export2009(_)
+            | Entry::Export(_)
             | Entry::Fit
             | Entry::ResetLayout
             | Entry::NoRegion
@@ -317,7 +316,9 @@ impl Entry {
             Entry::LoadViews => file(FileAction::LoadViews),
             Entry::SaveViews => file(FileAction::SaveViews),
             Entry::SaveViewsAs => file(FileAction::SaveViewsAs),
-            Entry::Export2009(what) => file(FileAction::Export2009(what)),
+            // a camera needs a view
+            Entry::Export(Exported::Povray) if stage.views.is_empty() => None,
+            Entry::Export(what) => file(FileAction::Export(what)),
             Entry::SavePicture => view(&|_| ViewAction::SavePicture(Format::PlainPpm)),
             Entry::Quit => file(FileAction::Quit),
             Entry::Undo => document.history().undoable().map(|_| vec![Action::Undo]),

@@ -2,7 +2,7 @@
 
 use crate::app::Studio;
 use crate::dialogs::{Browser, Reply};
-use crate::legacy::Making;
+use crate::foreign::{Foreign, Weighing};
 use crate::modals::{self, Modal};
 use crate::questions::Question;
 use crate::reading::{Purpose, Read, Reading};
@@ -10,10 +10,11 @@ use crate::report::Report;
 use crate::theme::Palette;
 use crate::toasts::Toast;
 use crate::writing::{What, Writing, Written};
-use crate::{FileAction, Tab, told};
+use crate::{Action, FileAction, Tab, ViewAction, told};
 use lancer_document::open::{Content, MESH_EXTENSIONS, OnDisk, OpenError, ViewsFile, Warnings, views_beside};
 use lancer_document::{Document, StepName};
 use lancer_formats::load::LoadOptions;
+use lancer_formats::progress::Stage;
 use lancer_formats::save::SceneFormat;
 use lancer_formats::{Describe, Severity};
 use lancer_words::{number, studio::app as words};
@@ -43,8 +44,8 @@ pub(crate) struct Files {
     /// Files to read after that one.
     waiting: VecDeque<(PathBuf, Purpose)>,
     writing: Vec<Writing>,
-    /// What is about to be exported to the format of 2009.
-    making: Option<Making>,
+    /// What is about to be exported.
+    weighing: Option<Weighing>,
     /// What goes on once everything is written.
     after: Option<After>,
 }
@@ -75,16 +76,16 @@ impl Studio {
         if let Some(read) = read
             && let Some(reading) = self.model.files.reading.take()
         {
-            self.take_read(&reading, read);
+            self.take_read(ctx, &reading, read);
             self.read_next(ctx);
         }
         self.take_written(ctx);
-        if let Some(made) = self.model.files.making.as_ref().and_then(Making::poll) {
-            self.model.files.making = None;
-            if made.losses.is_empty() {
-                self.ask(Question::Export2009(made.what, made.text));
+        if let Some(weighed) = self.model.files.weighing.as_ref().and_then(Weighing::poll) {
+            self.model.files.weighing = None;
+            if weighed.losses.is_empty() {
+                self.ask(Question::Export(weighed.what, weighed.content));
             } else {
-                self.modal = Some(Modal::Losses(made));
+                self.modal = Some(Modal::Losses(Box::new(weighed)));
             }
         }
     }
@@ -100,7 +101,8 @@ impl Studio {
             Question::Save => self.write_document(ctx, path),
             Question::SaveViews => self.write_views(ctx, path),
             Question::Picture(view, format) => self.export(ctx, path, &view, format),
-            Question::Export2009(_, text) | Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
+            Question::Export(_, content) => self.write(ctx, path, What::Foreign(content)),
+            Question::Text { text, .. } => self.write(ctx, path, What::Text(text)),
         }
     }
 
@@ -121,8 +123,13 @@ impl Studio {
             },
             FileAction::SaveViewsAs => self.ask(Question::SaveViews),
             FileAction::SaveText { name, text } => self.ask(Question::Text { name, text }),
-            FileAction::Export2009(what) => {
-                self.model.files.making = Some(Making::begin(ctx, self.model.document.stage(), what));
+            FileAction::Export(what) => {
+                let stage = self.model.document.stage();
+                let active = stage.views.iter().find(|view| Some(&*view.name) == self.model.active.as_deref());
+                let view = active.or_else(|| stage.views.iter().next()).map(|view| &**view);
+                // without a view the menu does not offer a format with a camera
+                let content = Foreign::of(what, stage, view);
+                self.model.files.weighing = content.map(|content| Weighing::begin(ctx, what, content));
             }
             FileAction::AddMesh => self.ask(Question::Mesh),
             FileAction::Quit => self.ask_about_changes(ctx, After::Quit),
@@ -207,7 +214,7 @@ impl Studio {
     }
 
     /// Takes a file that was read.
-    fn take_read(&mut self, reading: &Reading, read: Read) {
+    fn take_read(&mut self, ctx: &egui::Context, reading: &Reading, read: Read) {
         let content = match read.content {
             Ok(content) => content,
             Err(error) => return self.take_failure(&reading.path, error),
@@ -246,11 +253,19 @@ impl Studio {
                 }
             }
             Content::Mesh(mesh) => {
+                let by_itself = matches!(reading.purpose, Purpose::Open(_));
+                if by_itself {
+                    // one that the program is started with is no part of the first scene
+                    self.begin_new();
+                }
                 self.model.reports = vec![report(&mesh.warnings)];
                 let item = self.model.document.new_mesh(mesh);
                 if let Err(error) = self.add(item) {
                     let lang = self.model.lang;
                     self.toasts.say(Toast::failed(words::refused(lang, told::edit(&error, lang))));
+                } else if by_itself && let Some(view) = self.model.document.stage().views.first() {
+                    let name = view.name.clone();
+                    self.perform(ctx, Action::View(name, ViewAction::Frame));
                 }
             }
         }
@@ -330,10 +345,22 @@ impl Studio {
         let mut given_up = false;
         let modal = modals::modal(ctx, "reading").show(ctx, |ui| {
             ui.set_width(320.0);
-            ui.horizontal(|ui| {
+            let (stage, part) = reading.progress.now();
+            let name = short(&reading.path);
+            let label = match stage {
+                Stage::Bytes => words::loading(lang, name),
+                Stage::Content => words::making_out(lang, name),
+            };
+            let label = ui.horizontal(|ui| {
                 ui.add(egui::Spinner::new().size(18.0).color(palette.accent));
-                ui.label(words::loading(lang, short(&reading.path)));
+                ui.label(label).id
             });
+            ui.add_space(8.0);
+            let bar = match part {
+                Some(part) => egui::ProgressBar::new(part as f32).show_percentage(),
+                None => egui::ProgressBar::new(0.0),
+            };
+            ui.add(bar).labelled_by(label.inner);
             ui.add_space(10.0);
             ui.vertical_centered(|ui| {
                 given_up = ui.add(modals::default_button(words::cancel(lang), palette)).clicked();
@@ -405,7 +432,7 @@ impl Studio {
                     self.model.settings.remember(&path);
                 }
                 Ok(Written::Views(saved)) => self.model.document.saved_views(saved),
-                Ok(Written::Text) => {}
+                Ok(Written::Other) => {}
             }
             self.toasts.say(Toast::done(words::written(lang, short(&path))));
         }

@@ -103,10 +103,12 @@ fn first_missing() -> Option<&'static (&'static str, &'static str)> {
     LIBRARIES.iter().find(|(library, _)| cfg!(target_os = "linux") && !is_installed(library))
 }
 
-/// Why there is no window: the library that is missing, else what the toolkit says.
+/// Why there is no window: the library or the files that are missing, else what the toolkit says.
 fn why(lang: Lang, cause: &str) -> String {
     match first_missing() {
         Some((library, package)) => words::missing_library(lang, library, package),
+        // so the toolkit calls the files that say which key is which letter
+        None if cause.contains("XKBNotFound") => words::no_keyboard_layouts(lang),
         None => words::no_window(lang, cause.lines().next().unwrap_or_default().trim()),
     }
 }

@@ -1,5 +1,6 @@
 //! Where the panes are: the tree of tiles in the main window, and the views in windows of their own.
 
+use egui::Rect;
 use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree};
 use lancer_scene::{Name, Stage};
 
@@ -113,10 +114,14 @@ impl Layout {
 
     /// The view whose pane is the largest that is seen, and the way in which it is cut best; `None` before a first frame.
     pub fn roomiest(&self) -> Option<(String, LinearDir)> {
-        let seen = self.panes().filter_map(|(tile, pane)| Some((pane, self.tree.tiles.rect(tile)?.size())));
-        // the first of several equal ones
-        let largest = seen.reduce(|most, other| if other.1.x * other.1.y > most.1.x * most.1.y { other } else { most });
-        largest.map(|(pane, size)| {
+        let mut seen: Vec<(&str, Rect)> =
+            self.panes().filter_map(|(tile, pane)| Some((pane, self.tree.tiles.rect(tile)?))).collect();
+        // of several that are equal but for the last pixel, the first as one reads; the tiles themselves have no order
+        seen.sort_by(|(_, a), (_, b)| a.min.y.total_cmp(&b.min.y).then(a.min.x.total_cmp(&b.min.x)));
+        let is_larger = |other: &Rect, most: &Rect| other.area() > 1.02 * most.area();
+        let largest = seen.into_iter().reduce(|most, other| if is_larger(&other.1, &most.1) { other } else { most });
+        largest.map(|(pane, rect)| {
+            let size = rect.size();
             let dir = if size.y > size.x { LinearDir::Vertical } else { LinearDir::Horizontal };
             (pane.to_owned(), dir)
         })

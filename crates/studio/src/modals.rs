@@ -4,11 +4,10 @@ use crate::app::Studio;
 use crate::dialogs::Reply;
 use crate::entry::Entry;
 use crate::files::After;
-use crate::legacy::Losses;
+use crate::foreign::Losses;
 use crate::menus::MENUS;
 use crate::questions::Question;
 use crate::theme::Palette;
-use crate::told;
 use egui::{Align, Button, Grid, Id, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
 use egui_material_icons::icons::ICON_WARNING;
 use lancer_document::Document;
@@ -27,8 +26,8 @@ pub(crate) enum Modal {
     Shortcuts,
     /// What the program is.
     About,
-    /// What the format of 2009 cannot hold of what is exported to it.
-    Losses(Losses),
+    /// What a format cannot hold of what is exported to it.
+    Losses(Box<Losses>),
     /// A program before this one has ended without saving: what it kept.
     Recover(Box<Kept>, LeftBehind),
 }
@@ -105,12 +104,12 @@ fn unsaved(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, after: A
 }
 
 /// Says what an export loses, and asks whether it is made.
-fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, losses: Losses) {
+fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette, losses: Box<Losses>) {
     let lang = studio.model.lang;
     let mut answer = None;
     let modal = modal(ctx, "losses").show(ctx, |ui| {
         ui.set_width(460.0);
-        ui.heading(words::losses_title(lang));
+        ui.heading(words::losses_title(lang, losses.what.format(lang)));
         ui.add_space(6.0);
         ui.label(words::losses_text(lang));
         ui.add_space(8.0);
@@ -118,7 +117,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
             for loss in &losses.losses {
                 ui.horizontal_top(|ui| {
                     ui.label(ICON_WARNING.rich_text().size(15.0).color(palette.warning));
-                    ui.add(egui::Label::new(told::sentence(&loss.message(lang))).wrap());
+                    ui.add(egui::Label::new(loss.message(lang)).wrap());
                 });
             }
         });
@@ -134,7 +133,7 @@ fn ask_about_losses(studio: &mut Studio, ctx: &egui::Context, palette: &Palette,
         });
     });
     match answer.or_else(|| modal.should_close().then_some(false)) {
-        Some(true) => studio.ask(Question::Export2009(losses.what, losses.text)),
+        Some(true) => studio.ask(Question::Export(losses.what, losses.content)),
         Some(false) => {}
         None => studio.modal = Some(Modal::Losses(losses)),
     }

@@ -3,6 +3,7 @@
 use crate::Exported;
 use crate::app::Studio;
 use crate::dialogs::Request;
+use crate::foreign::Foreign;
 use lancer_document::open::MESH_EXTENSIONS;
 use lancer_formats::picture::Format;
 use lancer_scene::Name;
@@ -22,8 +23,8 @@ pub(crate) enum Question {
         name: String,
         text: String,
     },
-    /// A document of 2009.
-    Export2009(Exported, String),
+    /// Something for another program.
+    Export(Exported, Box<Foreign>),
 }
 
 impl Studio {
@@ -71,12 +72,11 @@ impl Studio {
                 let name = format!("{stem}-{view}.{extension}");
                 (words::save_picture_title(lang, view), true, name, vec![kind(words::pictures(lang), &[extension])])
             }
-            Question::Export2009(what, _) => {
-                let name = match what {
-                    Exported::Scene => format!("{stem}-2009.xml"),
-                    Exported::Views => format!("{stem}-2009.view.xml"),
-                };
-                (words::export_2009_title(lang), true, name, vec![kind(words::texts(lang), &["xml"])])
+            Question::Export(what, _) => {
+                let (more, extension) = what.ending();
+                let filter = kind(what.format(lang), &[extension]);
+                let title = words::export_title(lang, what.name(lang));
+                (title, true, format!("{stem}{more}.{extension}"), vec![filter])
             }
             Question::Text { name, .. } => {
                 let extension = Path::new(name).extension().map(|e| e.to_string_lossy().into_owned());

@@ -2,6 +2,7 @@
 
 use lancer_document::open::{self, Content, OpenError, ViewsFile, views_with};
 use lancer_formats::load::LoadOptions;
+use lancer_formats::progress::{self, Progress};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Instant;
@@ -35,6 +36,8 @@ pub(crate) struct Reading {
     pub(crate) path: PathBuf,
     pub(crate) purpose: Purpose,
     pub(crate) begun: Instant,
+    /// How far it is.
+    pub(crate) progress: Progress,
     news: Receiver<Read>,
 }
 
@@ -43,12 +46,14 @@ impl Reading {
     pub(crate) fn begin(ctx: &egui::Context, path: PathBuf, purpose: Purpose) -> Reading {
         let (result, news) = channel();
         let (ctx, file, why) = (ctx.clone(), path.clone(), purpose.clone());
+        let progress = Progress::default();
+        let watched = progress.clone();
         std::thread::spawn(move || {
             // whoever gave it up wants no result
-            let _ = result.send(read(&file, why));
+            let _ = result.send(progress::watched(&watched, || read(&file, why)));
             ctx.request_repaint_of(egui::ViewportId::ROOT);
         });
-        Reading { path, purpose, begun: Instant::now(), news }
+        Reading { path, purpose, begun: Instant::now(), progress, news }
     }
 
     /// What was read, once it is.

@@ -1,5 +1,6 @@
 //! Writing the document on a thread of its own.
 
+use crate::foreign::Foreign;
 use lancer_document::saving::{SavedScene, SavedViews, SavingScene, SavingViews};
 use lancer_formats::save::{SaveError, save};
 use std::path::PathBuf;
@@ -14,6 +15,8 @@ pub(crate) enum What {
     Views(SavingViews),
     /// A text.
     Text(String),
+    /// Something for another program.
+    Foreign(Box<Foreign>),
 }
 
 /// What was written.
@@ -23,8 +26,8 @@ pub(crate) enum Written {
     Scene(SavedScene),
     /// The views.
     Views(SavedViews),
-    /// A text.
-    Text,
+    /// Something that is not the document.
+    Other,
 }
 
 /// Something on its way into a file.
@@ -43,7 +46,8 @@ impl Writing {
             let written = match what {
                 What::Scene(scene) => scene.write().map(Written::Scene),
                 What::Views(views) => views.write().map(Written::Views),
-                What::Text(text) => save(&file, |out| out.write_all(text.as_bytes())).map(|()| Written::Text),
+                What::Text(text) => save(&file, |out| out.write_all(text.as_bytes())).map(|()| Written::Other),
+                What::Foreign(content) => content.write(&file).map(|()| Written::Other),
             };
             // a window that is gone wants no news
             let _ = result.send(written);

@@ -1,4 +1,4 @@
-//! The panels: every attribute of every kind of thing, the documents, the explanation of a pixel, the export to 2009.
+//! The panels: every attribute of every kind of thing, the documents, the explanation of a pixel, exports.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test")]
 
 mod window;
@@ -165,6 +165,25 @@ fn edit_all(window: &mut Window, item: &Item, rules: &[&'static ElementRule]) ->
     window.steps() - begin
 }
 
+/// No attribute keeps its English name in a French window, but for those that are French too or signs.
+#[test]
+fn every_attribute_has_a_french_label() {
+    const SAME: [&str; 16] = [
+        "p0", "p1", "p2", "u", "v", "w", "ka", "kd", "ks", "kr", "kt", "base", "position", "rotation", "visible",
+        "index",
+    ];
+    // what no field is labelled with: the editor has words of its own for it
+    const WITHOUT_FIELD: [&str; 4] = ["version", "name", "first", "facets"];
+    for rule in vocabulary::ELEMENTS {
+        for known in rule.attributes {
+            let [english, french] =
+                [Lang::English, Lang::French].map(|lang| attribute::label(lang, rule.name, known.name));
+            let is_same = SAME.contains(&known.name) || WITHOUT_FIELD.contains(&known.name);
+            assert!(english != french || is_same, "{} @{}: {english}", rule.name, known.name);
+        }
+    }
+}
+
 #[test]
 fn every_attribute_of_every_kind_is_edited() {
     let mut window = Window::new(everything(), Lang::English);
@@ -314,27 +333,61 @@ fn the_document_is_shown_as_it_would_be_saved() {
     assert!(due.lines().filter(|line| !line.trim().is_empty()).all(|line| shown.contains(line)), "{shown}");
 }
 
-/// What the format of 2009 cannot hold is said before the file is written.
+/// What a format cannot hold is said before the file is written.
 #[test]
-fn an_export_to_2009_says_what_it_loses() {
+fn an_export_says_what_it_loses() {
+    let exports = [
+        ("Scene for POV-Ray (.pov)…", "POV-Ray cannot hold everything", "one.pov", "camera"),
+        ("Objects as OBJ (.obj)…", "OBJ cannot hold everything", "one.obj", "mtllib one.mtl"),
+        ("Objects as glTF (.gltf)…", "glTF cannot hold everything", "one.gltf", "\"asset\""),
+        ("Objects as binary glTF (.glb)…", "glTF cannot hold everything", "one.glb", "glTF"),
+        ("Scene in the format of 2009 (.xml)…", "The format of 2009 cannot hold everything", "one-2009.xml", "<Scene"),
+    ];
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("old.xml");
     let mut window = Window::new(stage(), Lang::English);
-    window.menu("File", "Export the scene (2009)…");
-    window.until("the list", |_| true);
-    window.settle();
-    let told = text_of(&window);
-    assert!(told.contains("The format of 2009 cannot hold everything"), "{told}");
+    for (entry, title, name, due) in exports {
+        let path = folder.path().join(name);
+        window.click("File");
+        window.menu("Export", entry);
+        window.until("the list", |_| true);
+        window.settle();
+        let told = text_of(&window);
+        assert!(told.contains(title), "{told}");
+        window.dialogs.asked.borrow_mut().clear();
+        window.dialogs.replies.borrow_mut().push_back(Reply::Chosen(path.clone()));
+        window.click("Export…");
+        let begun = std::time::Instant::now();
+        while !path.is_file() {
+            assert!(begun.elapsed().as_secs() < 60, "nothing is written: {}", text_of(&window));
+            window.harness.step();
+        }
+        window.settle();
+        let bytes = std::fs::read(&path).unwrap();
+        assert!(String::from_utf8_lossy(&bytes).contains(due), "{name}");
+    }
+    assert!(std::fs::read_to_string(folder.path().join("one.mtl")).unwrap().contains("newmtl"));
+    assert_eq!(window.studio().document().scene_path(), None, "an export is no save");
+}
+
+/// Where nothing is lost, nothing is said.
+#[test]
+fn an_export_without_losses_asks_where_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sum.pov");
+    let mut stage = stage();
+    stage.scene.world.compose = lancer_scene::Compose::Add;
+    let mut window = Window::new(stage, Lang::French);
     window.dialogs.replies.borrow_mut().push_back(Reply::Chosen(path.clone()));
-    window.click("Export…");
+    window.click("Fichier");
+    window.menu("Exporter", "Scène pour POV-Ray (.pov)…");
     let begun = std::time::Instant::now();
     while !path.is_file() {
-        assert!(begun.elapsed().as_secs() < 60, "nothing is written");
+        assert!(begun.elapsed().as_secs() < 60, "nothing is written: {}", text_of(&window));
         window.harness.step();
     }
     window.settle();
-    assert!(std::fs::read_to_string(&path).unwrap().contains("<Scene"));
-    assert_eq!(window.studio().document().scene_path(), None, "an export is no save");
+    assert!(std::fs::read_to_string(&path).unwrap().contains("camera"));
+    assert_eq!(window.dialogs.asked.borrow()[0].title, "Exporter : Scène pour POV-Ray (.pov)");
 }
 
 /// The values of a material that is shared stand below each object that has it.

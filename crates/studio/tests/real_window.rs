@@ -10,6 +10,7 @@ use lancer_formats::{picture, ppm};
 use lancer_render::{RenderOptions, render_still};
 use lancer_scene::{Picture, Shape};
 use lancer_trace::{Cancel, World};
+use lancer_words::{Lang, studio::app as words};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -145,8 +146,8 @@ fn is_there(program: &str) -> bool {
     std::env::split_paths(&folders).any(|folder| folder.join(program).is_file())
 }
 
-#[test]
-fn the_real_window_from_opening_to_saving() {
+/// Whether the tests must be left out, for want of a display and a hand on it.
+fn is_left_out() -> bool {
     if let Some(missing) = ["Xvfb", "xdotool", "import"].into_iter().find(|program| !is_there(program)) {
         let asked = std::env::var_os("LANCER_REAL_WINDOW").is_some();
         assert!(
@@ -154,6 +155,41 @@ fn the_real_window_from_opening_to_saving() {
             "{missing} is not installed: apt install xvfb xdotool imagemagick libgl1 libgl1-mesa-dri libxkbcommon-x11-0"
         );
         eprintln!("left out: {missing} is not installed");
+        return true;
+    }
+    false
+}
+
+/// Where no file tells which key is which letter, the sentence names the package that has them.
+#[test]
+fn missing_keyboard_layouts_are_named() {
+    if is_left_out() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let display = Display::start();
+    for (lang, sentence) in
+        [("en", words::no_keyboard_layouts(Lang::English)), ("fr", words::no_keyboard_layouts(Lang::French))]
+    {
+        let output = Command::new(env!("CARGO_BIN_EXE_lancer-studio"))
+            .args(["--lang", lang])
+            .env("DISPLAY", &display.name)
+            .env_remove("WAYLAND_DISPLAY")
+            // nowhere that the library of keyboards looks are there any
+            .envs(["XKB_CONFIG_ROOT", "XKB_CONFIG_EXTRA_PATH", "XDG_CONFIG_HOME"].map(|name| (name, "/nonexistent")))
+            .env("HOME", folder.path())
+            .env("XDG_DATA_HOME", folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(3));
+        // the library of keyboards has a line of its own before
+        assert_eq!(String::from_utf8_lossy(&output.stderr).lines().last(), Some(&*sentence));
+    }
+}
+
+#[test]
+fn the_real_window_from_opening_to_saving() {
+    if is_left_out() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

@@ -229,6 +229,26 @@ fn a_scene_is_opened_edited_and_saved() {
     assert_eq!(*again.stage(), saved);
 }
 
+/// A mesh that the program is started with is a scene of its own, and seen whole.
+#[test]
+fn a_mesh_is_opened_as_a_scene_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tetra.obj");
+    write(&path, "v 0 0 0\nv 900 0 0\nv 0 900 0\nv 0 0 900\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    let mut window = Window::opening(stage(), Lang::English, vec![path]);
+    window.until("the mesh", |studio| studio.document().stage().scene.objects.len() == 1);
+    window.settle();
+    assert_eq!(window.selected(), [Item::Object("tetra".into())]);
+    let view = window.stage().views[0].clone();
+    let camera = lancer_trace::Camera::new(&view).unwrap();
+    let geometry = window.object("tetra").unwrap();
+    let (low, high) = geometry.shape.bounds().unwrap();
+    for corner in [low, high] {
+        let (x, y) = camera.project(corner).unwrap();
+        assert!(x > 0.0 && y > 0.0 && x < f64::from(view.width) && y < f64::from(view.height), "{x} {y}");
+    }
+}
+
 /// Saved in the binary format, the scene and its views come back as they were.
 #[test]
 fn a_scene_saved_as_binary_is_reopened_equal() {
@@ -280,14 +300,14 @@ fn files_dropped_on_the_window_open() {
 fn a_broken_file_opens_the_problems_and_the_scene_stays() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.xml");
-    write(&path, "<scene version=\"1\">\n  <ball radius=\"1\"/>\n</scene>\n");
+    write(&path, "<scene version=\"1\">\n  <ball radius=\"1\"/>\n  <world dept=\"3\"/>\n</scene>\n");
     let mut window = Window::opening(stage(), Lang::English, vec![path]);
     window.until("the message", |studio| studio.toasts().iter().any(|toast| toast.mood == Mood::Failed));
     window.settle();
     assert!(window.object("red").is_some());
     assert!(window.harness.query_by_label("Problems").is_some());
     let text = text_of(&window).join("\n");
-    assert!(text.contains("ball"), "{text}");
+    assert!(text.contains("ball") && text.contains("did you mean `depth`? · its attributes"), "{text}");
 }
 
 #[test]

@@ -23,6 +23,10 @@ pub fn label<'a>(lang: Lang, element: &str, attribute: &'a str) -> &'a str {
         (_, "center") => ("center", "centre"),
         (_, "radius") => ("radius", "rayon"),
         (_, "edge") => ("edge", "arête"),
+        (_, "top") => ("top", "sommet"),
+        (_, "base-radius") => ("base-radius", "R base"),
+        (_, "top-radius") => ("top-radius", "R sommet"),
+        (_, "capped") => ("capped", "fermé"),
         (_, "origin") => ("origin", "origine"),
         (_, "scale") => ("scale", "échelle"),
         (_, "smooth") => ("smooth", "lissé"),
@@ -40,6 +44,7 @@ pub fn label<'a>(lang: Lang, element: &str, attribute: &'a str) -> &'a str {
         (_, "screen") => ("screen", "écran"),
         (_, "corners") => ("corners", "coins"),
         (_, "part") => ("part", "partie"),
+        (_, "src") => ("src", "fichier"),
         (_, same) => (same, same),
     };
     match lang {

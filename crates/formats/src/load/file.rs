@@ -1,6 +1,7 @@
 //! The bytes of a file, or why there are none.
 
 use crate::Describe;
+use crate::progress::{self, Stage};
 use crate::refusal::Refusal;
 use lancer_words::{Lang, file as words};
 use std::fs::{self, File};
@@ -148,10 +149,17 @@ fn check(found: &fs::Metadata, most: u64) -> Result<(), LoadCause> {
 
 /// Everything to the end, which must come within `most` bytes.
 fn up_to(input: impl Read, most: u64, expected: u64) -> Result<Vec<u8>, LoadCause> {
+    /// How far it is, is told after so many bytes.
+    const PIECE: u64 = 4 << 20;
     let mut bytes = Vec::new();
     // One more than the file has, so that its end is met without growing.
     let room = usize::try_from(expected.saturating_add(1)).map_err(|_| LoadCause::NoMemory)?;
     bytes.try_reserve_exact(room).map_err(|_| LoadCause::NoMemory)?;
-    input.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    progress::begin(Stage::Bytes, expected);
+    let mut input = input.take(most.saturating_add(1));
+    while input.by_ref().take(PIECE).read_to_end(&mut bytes)? > 0 {
+        progress::at(bytes.len() as u64);
+    }
+    progress::begin(Stage::Content, bytes.len() as u64);
     if bytes.len() as u64 > most { Err(LoadCause::TooLarge { most }) } else { Ok(bytes) }
 }

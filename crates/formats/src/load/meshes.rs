@@ -6,6 +6,7 @@
 use super::file::{self, LoadCause};
 use super::{LoadOptions, STANDARD};
 use crate::mesh::{self, FilesBeside, MeshFault, MeshFile, MeshFiles, MeshProblem};
+use crate::progress;
 use lancer_scene::{Mesh, Object, Placement, Scene, Shape};
 use std::collections::HashMap;
 use std::fs;
@@ -53,8 +54,8 @@ impl MeshFiles for FolderOfDocument {
             file.warnings = [].into();
             return Ok(file);
         }
-        let result = file::regular(&target, self.options.most_bytes).map_err(|cause| problem(fault(cause)));
-        let result = result.and_then(|bytes| {
+        let result = progress::aside(|| {
+            let bytes = file::regular(&target, self.options.most_bytes).map_err(|cause| problem(fault(cause)))?;
             let mut beside = FolderOfMesh { document: self, folder: Path::new(path).parent().unwrap_or(Path::new("")) };
             mesh::read(path, &bytes, &mut beside)
         });
@@ -96,7 +97,7 @@ struct FolderOfMesh<'a> {
 impl FilesBeside for FolderOfMesh<'_> {
     fn read(&mut self, path: &str) -> Result<Vec<u8>, MeshFault> {
         let target = self.document.follow(&self.folder.join(path))?;
-        file::regular(&target, self.document.options.most_bytes).map_err(fault)
+        progress::aside(|| file::regular(&target, self.document.options.most_bytes)).map_err(fault)
     }
 }
 

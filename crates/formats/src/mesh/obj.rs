@@ -5,6 +5,7 @@
 
 use super::words::{Words, number, quoted};
 use super::{Builder, Input, MeshFault, MeshProblem, mtl};
+use crate::progress;
 use glam::DVec3;
 use lancer_scene::Surface;
 use std::borrow::Cow;
@@ -24,7 +25,9 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<Builder, MeshProblem> {
         materials: HashMap::new(),
         unknown: HashSet::new(),
     };
-    for (line, text) in Lines::of(input.bytes) {
+    let mut lines = Lines::of(input.bytes);
+    while let Some((line, text)) = lines.next() {
+        progress::now_and_then(line, || input.bytes.len() - lines.rest.len());
         let mut words = Words::new(&text, line);
         let Some(keyword) = words.next() else { continue };
         let result = match keyword {

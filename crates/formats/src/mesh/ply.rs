@@ -6,11 +6,13 @@
 
 use super::words::{Words, number, quoted};
 use super::{Builder, Input, MeshFault, MeshProblem};
+use crate::progress;
 use glam::DVec3;
 
 pub(super) fn read(input: &Input<'_>) -> Result<Builder, MeshProblem> {
     let (header, body) = Header::read(input)?;
-    let mut reader = Reader { body, builder: Builder::new(input.bytes.len()), corners: Vec::new() };
+    let mut reader =
+        Reader { bytes: input.bytes.len(), body, builder: Builder::new(input.bytes.len()), corners: Vec::new() };
     for element in &header.elements {
         let result = match element.name {
             b"vertex" => reader.vertices(element),
@@ -157,6 +159,14 @@ impl Body<'_> {
         }
     }
 
+    /// How many bytes are not read yet.
+    fn left(&self) -> usize {
+        match self {
+            Body::Text(words) => words.left(),
+            Body::Bytes { rest, .. } => rest.len(),
+        }
+    }
+
     fn next(&mut self, scalar: Scalar) -> Result<f64, MeshFault> {
         let (rest, big) = match self {
             Body::Text(words) => return number(words.next().ok_or(MeshFault::EndsEarly)?),
@@ -194,6 +204,8 @@ fn whole(value: f64) -> Option<u32> {
 }
 
 struct Reader<'a> {
+    /// The length of the file.
+    bytes: usize,
     body: Body<'a>,
     builder: Builder,
     corners: Vec<u32>,
@@ -213,7 +225,8 @@ impl Reader<'_> {
             }
         }
         let normals = (3..6).all(|place| places.contains(&place));
-        for _ in 0..element.count {
+        for number in 0..element.count {
+            progress::now_and_then(number as usize, || self.bytes - self.body.left());
             let mut values = [0.0; 7];
             for (property, &place) in element.properties.iter().zip(&places) {
                 match property.list {
@@ -235,7 +248,8 @@ impl Reader<'_> {
             property.list.is_some() && matches!(property.name, b"vertex_indices" | b"vertex_index")
         };
         let corners = element.properties.iter().position(is_corners).ok_or(MeshFault::Lacks("vertex_indices"))?;
-        for _ in 0..element.count {
+        for number in 0..element.count {
+            progress::now_and_then(number as usize, || self.bytes - self.body.left());
             for (place, property) in element.properties.iter().enumerate() {
                 match property.list {
                     None => drop(self.body.next(property.scalar)?),

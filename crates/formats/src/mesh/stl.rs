@@ -3,6 +3,7 @@
 
 use super::words::{Words, number, quoted};
 use super::{Builder, Input, MeshFault, MeshProblem};
+use crate::progress;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -59,7 +60,8 @@ impl Reader {
     fn bytes(&mut self, body: &[u8]) -> Result<(), MeshFault> {
         // A closed mesh has half as many vertices as facets.
         self.places.reserve(body.len() / FACET / 2);
-        for facet in body.as_chunks::<FACET>().0 {
+        for (number, facet) in body.as_chunks::<FACET>().0.iter().enumerate() {
+            progress::now_and_then(number, || number * FACET);
             let mut corners = [0; 3];
             for (corner, bytes) in corners.iter_mut().zip(facet[12..48].as_chunks::<12>().0) {
                 let coordinate = |at: usize| {

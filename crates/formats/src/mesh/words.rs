@@ -17,6 +17,11 @@ impl<'a> Words<'a> {
         Words { rest: text, line }
     }
 
+    /// How many bytes are not read yet.
+    pub(super) fn left(&self) -> usize {
+        self.rest.len()
+    }
+
     /// Lets the rest of the last word's line pass.
     pub(super) fn skip_line(&mut self) {
         let end = memchr::memchr(b'\n', self.rest).unwrap_or(self.rest.len());

@@ -7,7 +7,7 @@ use super::read_scene::SceneReader;
 use super::sink::Sink;
 use super::vocabulary::{ElementRule, FACETS, MESH, NORMALS, PART, VERTICES};
 use super::{Due, Element, Number, StructureProblem, ValueProblem, Written};
-use crate::{Diagnostic, Span};
+use crate::{Diagnostic, Span, progress};
 use lancer_scene::{DVec3, Invalid, Mesh, MeshGeometry, Part, Placement, Shape, limits};
 use std::sync::Arc;
 
@@ -197,7 +197,10 @@ fn coordinates<'d>(element: Element<'d>, rule: &'static ElementRule, sink: &mut 
                 }
             });
             match number {
-                Ok((value, span)) => triples.extend(triple.push(value, span).map(DVec3::from)),
+                Ok((value, span)) => {
+                    triples.extend(triple.push(value, span).map(DVec3::from));
+                    progress::now_and_then(triples.len(), || span.end);
+                }
                 Err(fault) => tell(&mut faults, *fault, sink)?,
             }
         }
@@ -245,6 +248,7 @@ fn indices<'d>(element: Element<'d>, vertices: Option<usize>, sink: &mut Sink<'d
                 beyond += 1;
             }
             facets.extend(triple.push(vertex, span));
+            progress::now_and_then(facets.len(), || span.end);
         }
     }
     if illegible > 0 {

@@ -32,7 +32,9 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
                     }
                     None => report.source.name.to_string(),
                 };
-                entry(ui, icon, color, &diagnostic.problem, context, |ui| {
+                // what stands at the text that is underlined, such as the name that was probably meant
+                let remark = diagnostic.span.map(|_| diagnostic.problem.label(lang));
+                entry(ui, icon, color, &diagnostic.problem, remark, context, |ui| {
                     ui.label(RichText::new(place).monospace().weak());
                 });
             }
@@ -46,7 +48,7 @@ pub fn show(ui: &mut Ui, context: &Context<'_>) -> Vec<Action> {
                 Weight::Warning => (ICON_WARNING, palette.warning),
                 Weight::Note => (ICON_INFO, palette.accent),
             };
-            entry(ui, icon, color, finding, context, |ui| {
+            entry(ui, icon, color, finding, None, context, |ui| {
                 for (kind, name) in finding.names() {
                     if let Some(item) = item(context, kind, name)
                         && ui.small_button(words::select(lang, name)).clicked()
@@ -83,12 +85,13 @@ fn findings(ui: &Ui, context: &Context<'_>) -> (Arc<Vec<Finding>>, bool) {
     (beside.get().map(Arc::clone).unwrap_or_default(), beside.is_of(&revision))
 }
 
-/// One problem: its icon, its sentence, the way out, and what belongs to it.
+/// One problem: its icon, its sentence, a remark about it, the way out, and what belongs to it.
 fn entry(
     ui: &mut Ui,
     icon: MaterialIcon,
     color: Color32,
     problem: &impl Describe,
+    remark: Option<String>,
     context: &Context<'_>,
     more: impl FnOnce(&mut Ui),
 ) {
@@ -99,8 +102,10 @@ fn entry(
                 ui.label(problem.message(context.lang));
                 more(ui);
             });
-            if let Some(help) = problem.help(context.lang) {
-                ui.label(RichText::new(help).weak());
+            let remark = remark.filter(|remark| !remark.is_empty());
+            let below: Vec<String> = remark.into_iter().chain(problem.help(context.lang)).collect();
+            if !below.is_empty() {
+                ui.label(RichText::new(below.join(" · ")).weak());
             }
         });
     });

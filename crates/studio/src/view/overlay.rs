@@ -11,8 +11,8 @@ use lancer_render::Region;
 use lancer_trace::Camera;
 use lancer_words::{Lang, studio::view as words};
 
-/// An outline of more lines than these is drawn finely, so that the picture is seen through it.
-const FINE: usize = 60;
+/// An outline of more lines than these, of a rugged mesh, is drawn finely, so that the picture is seen through it.
+const FINE: usize = 1000;
 /// The letters of the axes; colour alone tells nobody anything.
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 
@@ -47,7 +47,7 @@ pub(crate) fn draw(
             let stroke = Stroke::new(1.0, color.gamma_multiply(0.35));
             painter.extend(lines.iter().map(|line| Shape::line(on_screen(line), stroke)));
         } else {
-            lines.iter().for_each(|line| halo(&painter, on_screen(line), color, 1.5));
+            halos(&painter, lines.iter().map(on_screen).collect(), color, 1.5);
         }
     }
     match gesture {
@@ -119,8 +119,14 @@ fn label(painter: &Painter, place: Pos2, text: &str, color: Color32) {
 
 /// A line that can be seen on every picture: dark around, coloured inside.
 fn halo(painter: &Painter, points: Vec<Pos2>, color: Color32, width: f32) {
-    painter.add(Shape::line(points.clone(), Stroke::new(width + 2.0, Color32::from_black_alpha(110))));
-    painter.add(Shape::line(points, Stroke::new(width, color)));
+    halos(painter, vec![points], color, width);
+}
+
+/// Lines that meet: what is dark around one lies below the others.
+fn halos(painter: &Painter, lines: Vec<Vec<Pos2>>, color: Color32, width: f32) {
+    let dark = Stroke::new(width + 2.0, Color32::from_black_alpha(110));
+    painter.extend(lines.iter().map(|points| Shape::line(points.clone(), dark)));
+    painter.extend(lines.into_iter().map(|points| Shape::line(points, Stroke::new(width, color))));
 }
 
 /// Marks the pixel that is explained: four ticks around it, dark around so that they are seen on any picture.

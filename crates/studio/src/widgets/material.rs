@@ -1,7 +1,7 @@
 //! Which material: one of the scene's, the built-in grey, one of its own, or a new one.
 
 use crate::Context;
-use egui::{ComboBox, Id, Image, Role, Ui, Vec2, WidgetInfo};
+use egui::{Align, ComboBox, Id, Image, Layout, Role, Ui, Vec2, WidgetInfo};
 use lancer_document::presets;
 use lancer_scene::{MaterialRef, Scene, Surface};
 use lancer_words::studio::panels as words;
@@ -38,6 +38,7 @@ pub fn material(
         let response = ComboBox::from_id_salt(id)
             .selected_text(&shown)
             .width(ui.available_width().max(60.0))
+            .height(420.0)
             .show_ui(ui, |ui| {
                 ui.set_min_width(200.0);
                 choice = list(ui, scene, chosen, context);
@@ -55,6 +56,8 @@ pub fn material(
 fn list(ui: &mut Ui, scene: &Scene, chosen: &MaterialRef, context: &Context<'_>) -> Option<MaterialChoice> {
     let lang = context.lang;
     let mut choice = None;
+    // as in a menu: what is under the pointer has a field, nothing else
+    egui::containers::menu::menu_style(ui.style_mut());
     for material in &scene.materials {
         let reference = MaterialRef::Named(material.name.clone());
         if row(ui, context, &material.surface, &material.name, *chosen == reference) {
@@ -96,7 +99,8 @@ pub(crate) fn preset_list(ui: &mut Ui, context: &Context<'_>) -> Option<presets:
 fn row(ui: &mut Ui, context: &Context<'_>, surface: &Surface, name: &str, selected: bool) -> bool {
     ui.horizontal(|ui| {
         swatch(ui, context, surface, 24.0);
-        let clicked = ui.selectable_label(selected, name).clicked();
+        let whole_row = Layout::top_down_justified(Align::LEFT);
+        let clicked = ui.with_layout(whole_row, |ui| ui.selectable_label(selected, name).clicked()).inner;
         if clicked {
             ui.close();
         }

@@ -1,5 +1,5 @@
-//! Packets of rays from points of their own through a hierarchy: together as long as they meet the same boxes, ray by ray
-//! where only one is left.
+//! Packets of rays from points of their own through a hierarchy, each by itself: its rays go together as long as they meet
+//! the same boxes.
 //!
 //! The packets take turns: each goes one step, and then the next one has its turn. What a packet visits next is on its
 //! way from memory meanwhile, and the processor overlaps the steps of packets that know nothing of each other.

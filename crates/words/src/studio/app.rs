@@ -66,6 +66,8 @@ phrases! {
     days_ago(count) { "{count} d ago", "il y a {count} j" }
     /// A file is being read.
     loading(name) { "Reading {name}…", "Lecture de {name}…" }
+    /// The bytes of a file are there, and what they say is being made out.
+    making_out(name) { "Making out what {name} holds…", "Analyse du contenu de {name}…" }
     /// A file was read.
     loaded(name) { "{name} is open.", "{name} est ouvert." }
     /// A file was read with warnings.
@@ -150,9 +152,9 @@ phrases! {
     /// The title of a dialog.
     save_picture_title(view) { "Save the picture of {view}", "Enregistrer l'image de {view}" }
     /// The title of a dialog.
-    export_2009_title() { "Export to the format of 2009", "Exporter au format de 2009" }
+    export_title(what) { "Export: {what}", "Exporter : {what}" }
     /// What is asked before an export that loses something.
-    losses_title() { "The format of 2009 cannot hold everything", "Le format de 2009 ne peut pas tout contenir" }
+    losses_title(format) { "{format} cannot hold everything", "{format} ne peut pas tout contenir" }
     /// What is lost, before the list.
     losses_text() {
         "The exported file will differ from this document in what follows. The document itself stays as it is.",
@@ -192,6 +194,11 @@ phrases! {
     missing_library(library, package) {
         "lancer-studio needs the library {library}, which is not on this machine: install it, on Debian or Ubuntu with «apt install {package}». The command line program lancer works without it.",
         "lancer-studio a besoin de la bibliothèque {library}, absente de cette machine : installez-la, sous Debian ou Ubuntu avec «apt install {package}». Le programme lancer en ligne de commande s'en passe.",
+    }
+    /// No descriptions of keyboards.
+    no_keyboard_layouts() {
+        "lancer-studio needs the keyboard layouts of X11 (/usr/share/X11/xkb), which are not on this machine: install them, on Debian or Ubuntu with «apt install xkb-data». The command line program lancer works without them.",
+        "lancer-studio a besoin des dispositions de clavier de X11 (/usr/share/X11/xkb), absentes de cette machine : installez-les, sous Debian ou Ubuntu avec «apt install xkb-data». Le programme lancer en ligne de commande s'en passe.",
     }
     /// No display.
     no_display() {

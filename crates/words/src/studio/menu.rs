@@ -34,10 +34,28 @@ phrases! {
     save_views() { "Save views", "Enregistrer les vues" }
     /// Saves the views elsewhere.
     save_views_as() { "Save views as…", "Enregistrer les vues sous…" }
-    /// Writes the scene in the format of 2009.
-    export_scene_2009() { "Export the scene (2009)…", "Exporter la scène (2009)…" }
-    /// Writes the views in the format of 2009.
-    export_views_2009() { "Export the views (2009)…", "Exporter les vues (2009)…" }
+    /// The menu of exports.
+    export() { "Export", "Exporter" }
+    /// What is exported.
+    export_povray() { "Scene for POV-Ray (.pov)", "Scène pour POV-Ray (.pov)" }
+    /// What is exported.
+    export_obj() { "Objects as OBJ (.obj)", "Objets en OBJ (.obj)" }
+    /// What is exported.
+    export_gltf() { "Objects as glTF (.gltf)", "Objets en glTF (.gltf)" }
+    /// What is exported.
+    export_glb() { "Objects as binary glTF (.glb)", "Objets en glTF binaire (.glb)" }
+    /// What is exported.
+    export_scene_2009() { "Scene in the format of 2009 (.xml)", "Scène au format de 2009 (.xml)" }
+    /// What is exported.
+    export_views_2009() { "Views in the format of 2009 (.xml)", "Vues au format de 2009 (.xml)" }
+    /// A format, at the beginning of a sentence.
+    format_2009() { "The format of 2009", "Le format de 2009" }
+    /// A format, at the beginning of a sentence.
+    format_povray() { "POV-Ray", "POV-Ray" }
+    /// A format, at the beginning of a sentence.
+    format_obj() { "OBJ", "OBJ" }
+    /// A format, at the beginning of a sentence.
+    format_gltf() { "glTF", "glTF" }
     /// The tabs at the bottom.
     show_tab() { "Show tab", "Afficher l'onglet" }
     /// Saves a picture.
