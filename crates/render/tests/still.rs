@@ -373,23 +373,28 @@ fn a_cancelled_picture_stops_at_once() {
     scene.world.depth = 64;
     let world = World::compile(&scene);
     for tracing in tracings() {
-        let cancel = Cancel::default();
         let region = Region { x: 60, y: 30, width: 20, height: 30 };
         let options = RenderOptions { tracing, max_rays: Some(u64::MAX), region: Some(region), ..threads(2) };
-        let (outcome, waited) = std::thread::scope(|scope| {
-            let running = scope.spawn(|| {
-                let outcome = render_still(&world, &view(90, 60), &options, &cancel, |_, _| ());
-                (outcome, Instant::now())
+        let cancelled_after = || {
+            let cancel = Cancel::default();
+            let (outcome, waited) = std::thread::scope(|scope| {
+                let running = scope.spawn(|| {
+                    let outcome = render_still(&world, &view(90, 60), &options, &cancel, |_, _| ());
+                    (outcome, Instant::now())
+                });
+                std::thread::sleep(Duration::from_millis(100));
+                assert!(!running.is_finished(), "the pixels should take for ever");
+                let asked = Instant::now();
+                cancel.cancel();
+                let (outcome, ended) = running.join().unwrap();
+                (outcome, ended - asked)
             });
-            std::thread::sleep(Duration::from_millis(100));
-            assert!(!running.is_finished(), "the pixels should take for ever");
-            let asked = Instant::now();
-            cancel.cancel();
-            let (outcome, ended) = running.join().unwrap();
-            (outcome, ended - asked)
-        });
-        assert_eq!(outcome.unwrap_err(), RenderError::Cancelled);
-        assert!(waited < Duration::from_millis(50), "{waited:?}, {tracing:?}");
+            assert_eq!(outcome.unwrap_err(), RenderError::Cancelled);
+            waited
+        };
+        // a busy machine makes one of them late; a tracer that does not listen, all
+        let at_once = (0..5).any(|_| cancelled_after() < Duration::from_millis(50));
+        assert!(at_once, "{tracing:?}");
     }
 }
 
