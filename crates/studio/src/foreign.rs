@@ -5,8 +5,9 @@ use crate::Exported;
 use lancer_formats::Problem;
 use lancer_formats::export::{self, Container};
 use lancer_formats::n7_2009::{self, N7Problem};
-use lancer_formats::save::{SaveError, save};
+use lancer_formats::save::{SaveError, save, save_together};
 use lancer_scene::{Scene, Stage, View, Views};
+use std::io::Write;
 use std::path::Path;
 use std::sync::mpsc::{Receiver, channel};
 
@@ -67,9 +68,8 @@ impl Foreign {
                 let library = path.with_extension("mtl");
                 let name = library.file_name().unwrap_or_default().to_string_lossy();
                 let files = export::write_obj(scene, &name);
-                // first the materials: objects without them would look finished
-                whole(&library, files.materials.as_bytes())?;
-                whole(path, files.objects.as_bytes())
+                let files = [(&*library, files.materials.as_bytes()), (path, files.objects.as_bytes())];
+                save_together(files.map(|(path, bytes)| (path, move |out: &mut dyn Write| out.write_all(bytes))))
             }
             Foreign::Gltf(scene, container) => whole(path, &export::write_gltf(scene, *container)),
         }
