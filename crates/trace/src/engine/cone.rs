@@ -87,13 +87,12 @@ impl<B: Backend> Step<B> for BlockedByCone<'_, B> {
     #[inline(always)]
     fn run(self) {
         let BlockedByCone { cone, body, segments: Segments { lamp, rays, .. }, blocked, asked } = self;
-        let lamp_lies_on_it = cone.lies_on(lamp);
         for (place, ToLamp { packet, distance, .. }) in rays.iter().enumerate() {
             let open = asked[place] & !blocked[place];
             if open != 0 {
                 let ConeHits { faces, t, other } = cone_hits::<B>(packet, cone, packet.starts_on(body, &[]));
                 let mut met = (faces[SIDE] | faces[BASE] | faces[TOP]) & open & t.lt(*distance).bits();
-                if lamp_lies_on_it {
+                if met != 0 && cone.lies_on(lamp) {
                     // the lamp's own place on the cone is no hit (`Cone::is_at_lamp`)
                     met &= !(*distance - t).abs().le((*distance - other).abs()).bits();
                 }
@@ -148,11 +147,9 @@ fn ends<L: Lanes>(origin: Vector<L::Real>, direction: Vector<L::Real>, cone: &Co
     let leave = L::Real::select(grows | along, infinity, leave);
 
     if !cone.capped {
-        let on_side = |s: L::Real| {
-            let at = z + s * dz;
-            (s.abs().lt(infinity) & low.le(at) & at.le(high)).bits()
-        };
-        let (entered, left) = (on_side(enter), on_side(leave));
+        let (at_enter, at_leave) = (z + enter * dz, z + leave * dz);
+        let entered = (enter.abs().lt(infinity) & low.le(at_enter) & at_enter.le(high)).bits();
+        let left = (leave.abs().lt(infinity) & low.le(at_leave) & at_leave.le(high)).bits();
         return Ends { enter: enter + shift, leave: leave + shift, entered: [entered, 0, 0], left: [left, 0, 0] };
     }
     let (to_low, to_high) = ((low - z) / dz, (high - z) / dz);
