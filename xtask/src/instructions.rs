@@ -15,8 +15,8 @@ use std::process::Command;
 /// The record, from the root of the checkout.
 const RECORD: &str = "benches/instructions.txt";
 
-/// What is counted: few objects with every step of the model, one of each kind of object, and many facets.
-const SCENES: [&str; 3] = ["scenes/course/course", "scenes/course/objects", "scenes/gallery/knot"];
+/// What is counted: few objects with every step of the model, many balls and cones, and many facets.
+const SCENES: [&str; 3] = ["scenes/course/course", "scenes/gallery/lattice", "scenes/gallery/knot"];
 
 /// The backends, as `LANCER_SIMD` names them.
 const BACKENDS: [&str; 2] = ["portable", "avx2"];
