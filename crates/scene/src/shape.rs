@@ -82,8 +82,13 @@ impl Shape {
 
     /// The geometry of a mesh.
     pub fn geometry(&self) -> Option<&Arc<MeshGeometry>> {
+        self.mesh().map(|mesh| &mesh.geometry)
+    }
+
+    /// The mesh, if it is one.
+    pub fn mesh(&self) -> Option<&Mesh> {
         match self {
-            Shape::Mesh(mesh) => Some(&mesh.geometry),
+            Shape::Mesh(mesh) => Some(mesh),
             Shape::Sphere { .. }
             | Shape::Plane { .. }
             | Shape::Facet { .. }

@@ -42,15 +42,7 @@ pub fn write(scene: &Scene, container: Container) -> Vec<u8> {
     let mut known: HashMap<(usize, usize, bool), usize> = HashMap::new();
     for object in scene.objects.iter().filter(|object| object.visible) {
         let own = numbering.number(&object.material);
-        let key = match &object.shape {
-            Shape::Mesh(mesh) => Some((Arc::as_ptr(&mesh.geometry) as usize, own, mesh.smooth)),
-            Shape::Sphere { .. }
-            | Shape::Plane { .. }
-            | Shape::Facet { .. }
-            | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. }
-            | Shape::Cone { .. } => None,
-        };
+        let key = object.shape.mesh().map(|mesh| (Arc::as_ptr(&mesh.geometry) as usize, own, mesh.smooth));
         let mesh = match key.and_then(|key| known.get(&key)) {
             Some(mesh) => *mesh,
             None => {

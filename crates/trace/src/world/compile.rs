@@ -5,7 +5,7 @@ use super::packed::Packed;
 use super::surfaces::Surfaces;
 use super::top::Top;
 use super::{Lamp, World};
-use lancer_scene::{Material, Object, Scene, Shape};
+use lancer_scene::{Material, Object, Scene};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -42,15 +42,7 @@ impl World {
             return World { scene: scene.clone(), surfaces, lamps, ..self.clone() };
         }
         let objects: Vec<&Arc<Object>> = visible(scene).collect();
-        let packs = self.packs.with(objects.iter().filter_map(|object| match &object.shape {
-            Shape::Mesh(mesh) => Some(mesh),
-            Shape::Sphere { .. }
-            | Shape::Plane { .. }
-            | Shape::Facet { .. }
-            | Shape::Cube { .. }
-            | Shape::Parallelepiped { .. }
-            | Shape::Cone { .. } => None,
-        }));
+        let packs = self.packs.with(objects.iter().filter_map(|object| object.shape.mesh()));
         let before = Before::of(self, &objects);
         let geometry = |(place, object): (usize, &&Arc<Object>)| match before.body(place, object) {
             Some(body) => body.geometry.clone(),
